@@ -1,0 +1,139 @@
+#include "contact/detection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "contact/narrow_phase.h"
+
+namespace talus {
+
+namespace {
+
+Vec2 edge_normal(const Model& model, const Contact& c) {
+  const int begin = model.shapes[c.j].vertex_begin;
+  return -perp(model.vertex[begin + model.next_vertex(c.j, c.edge)] - model.vertex[begin + c.edge]).normalized();
+}
+
+std::int64_t pair_key(int a, int b) { return (std::int64_t(std::min(a, b)) << 32) | std::max(a, b); }
+
+void carry(const Contact& from, Contact& to) {
+  to.state = from.state;
+  to.stretch = from.stretch * from.shear_stiffness / to.shear_stiffness;  // the force goes on
+  to.slip = from.slip;
+  to.offset = from.offset;
+  to.normal_force = from.normal_force;
+  to.shear_force = from.shear_force;
+}
+
+// A loaded contact that ended where `c` begins: the same vertex on another edge, or the same two blocks with
+// the parts of vertex and edge exchanged; at the same place within a tenth of the block, with the same normal.
+const Contact* predecessor(const Model& model, const Contact& c, const std::vector<const Contact*>& ended) {
+  const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c);
+  const double near = 0.1 * std::min(model.shapes[c.i].length, model.shapes[c.j].length);
+  for (const Contact* old : ended) {
+    const bool swapped = old->i == c.j && old->j == c.i;
+    if (!(old->global_vertex == c.global_vertex || swapped)) continue;
+    if ((model.vertex[old->global_vertex] - at).norm() > near) continue;
+    if (edge_normal(model, *old).dot(normal) * (swapped ? -1 : 1) > 0.999) return old;
+  }
+  return nullptr;
+}
+
+// State of the contacts that go on, and of those that hand over.
+void carry_over(const Model& model, std::vector<Contact>& now) {
+  std::unordered_map<std::int64_t, const Contact*> before;
+  for (const Contact& c : model.contacts) before[c.key()] = &c;
+  std::vector<Contact*> fresh;
+  for (Contact& c : now) {
+    const auto found = before.find(c.key());
+    if (found == before.end()) {
+      fresh.push_back(&c);
+      continue;
+    }
+    const Contact& old = *found->second;
+    if (old.state != ContactState::open) {  // a loaded spring keeps its stiffness
+      c.length = old.length;
+      c.kind = old.kind;
+      c.normal_stiffness = old.normal_stiffness;
+      c.shear_stiffness = old.shear_stiffness;
+    }
+    carry(old, c);
+    before.erase(found);
+  }
+  std::unordered_map<std::int64_t, std::vector<const Contact*>> ended;  // by vertex, and by pair of blocks
+  for (const Contact& c : model.contacts) {
+    if (c.state == ContactState::open || !before.contains(c.key())) continue;
+    ended[-1 - c.global_vertex].push_back(&c);
+    ended[pair_key(c.i, c.j)].push_back(&c);
+  }
+  for (Contact* c : fresh) {
+    const Contact* old = nullptr;
+    for (std::int64_t key : {std::int64_t(-1 - c->global_vertex), pair_key(c->i, c->j)})
+      if (const auto found = ended.find(key); !old && found != ended.end()) old = predecessor(model, *c, found->second);
+    if (old)
+      carry(*old, *c);
+    else
+      c->offset = std::max(0.0, -c->gap);  // met already overlapping: not a load (see docs/theory.md)
+  }
+}
+
+// Adds the blocks that hang together round a corner through intact joints at that corner, but not those that
+// face each other across an open joint that ends there.
+void bond_corners(const Model& model, std::unordered_set<std::int64_t>& bonded) {
+  const Nodes& nodes = model.nodes;
+  const std::unordered_set<std::int64_t> by_edge = bonded;
+  std::vector<int> group;
+  for (size_t n = 0; n + 1 < nodes.begin.size(); ++n) {
+    const int* blocks = &nodes.blocks[nodes.begin[n]];
+    const int count = nodes.begin[n + 1] - nodes.begin[n];
+    group.resize(count);
+    for (int k = 0; k < count; ++k) group[k] = k;
+    for (int k = 0; k < count; ++k)
+      for (int m = 0; m < k; ++m)
+        if (by_edge.contains(pair_key(blocks[k], blocks[m])))
+          std::replace(group.begin(), group.end(), std::max(group[k], group[m]), std::min(group[k], group[m]));
+    for (int k = 0; k < count; ++k)
+      for (int m = 0; m < k; ++m)
+        if (group[k] == group[m]) bonded.insert(pair_key(blocks[k], blocks[m]));
+  }
+  for (const auto& [pair, property] : model.pair_property) bonded.erase(pair);
+  for (const Joint& joint : model.joints)
+    if (joint.state == JointState::failed) bonded.erase(pair_key(joint.a, joint.b));
+}
+
+}  // namespace
+
+void ContactSearch::find_surface(const Model& model) {
+  const int intact = int(std::count_if(model.joints.begin(), model.joints.end(),
+                                       [](const Joint& joint) { return joint.state == JointState::intact; }));
+  if (intact == intact_joints_) return;
+  intact_joints_ = intact;
+  free_edge_.assign(model.reference_vertex.size(), 1);
+  bonded_.clear();
+  for (const Joint& joint : model.joints) {
+    if (joint.state != JointState::intact) continue;
+    free_edge_[model.shapes[joint.a].vertex_begin + joint.edge_a] = 0;
+    free_edge_[model.shapes[joint.b].vertex_begin + joint.edge_b] = 0;
+    bonded_.insert(pair_key(joint.a, joint.b));
+  }
+  bond_corners(model, bonded_);
+  surface_blocks_.clear();
+  for (size_t b = 0; b < model.shapes.size(); ++b)
+    if (std::find(&free_edge_[model.shapes[b].vertex_begin], free_edge_.data() + model.shapes[b].vertex_end, 1) !=
+        free_edge_.data() + model.shapes[b].vertex_end)
+      surface_blocks_.push_back(int(b));
+}
+
+void ContactSearch::update(Model& model, double dt) {
+  find_surface(model);
+  std::vector<Contact> now;
+  for (const auto& [a, b] : broad_phase(model, surface_blocks_, dt))
+    if (!bonded_.contains(pair_key(a, b))) find_contacts(model, free_edge_, a, b, dt, now);
+  std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
+  carry_over(model, now);
+  model.contacts = std::move(now);
+}
+
+}  // namespace talus

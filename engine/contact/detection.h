@@ -1,0 +1,36 @@
+#pragma once
+// Which vertices may meet which edges during the next step of `dt` seconds.
+#include <cstdint>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "model/model.h"
+
+namespace talus {
+
+// Part of its length by which a block is taken larger when neighbours are sought: what a block moves a step at
+// ten times the default displacement ratio in a scene one block high.
+constexpr double search_margin = 0.05;
+
+// Pairs of blocks (a < b, sorted) of the list whose boxes, grown by their motion in `dt` and by a part of their
+// length, meet. Hierarchical grid: linear in the number of blocks whatever their sizes. Pairs of held blocks
+// are left out.
+std::vector<std::pair<int, int>> broad_phase(const Model& model, const std::vector<int>& blocks, double dt);
+
+class ContactSearch {
+ public:
+  // Replaces Model::contacts by the candidates of the next step, in order of (vertex, edge). Contacts that go
+  // on keep their state; one that hands over to a neighbouring edge or to its partner's vertex passes it on.
+  void update(Model& model, double dt);
+
+ private:
+  void find_surface(const Model& model);
+
+  int intact_joints_ = -1;          // the surface is found anew when this changes
+  std::vector<int> surface_blocks_;  // blocks with a free edge
+  std::vector<char> free_edge_;      // per edge (by its first vertex): no intact joint covers it
+  std::unordered_set<std::int64_t> bonded_;  // pairs glued along an edge, or round a corner they share
+};
+
+}  // namespace talus

@@ -1,0 +1,219 @@
+#include "contact/narrow_phase.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/detection.h"
+
+namespace talus {
+
+namespace {
+
+// Edges within 3° count as lying along each other (Shi 1988 uses the same bound).
+constexpr double parallel_sine = 0.052;
+// Corners that meet within this part of an edge's length count as on it: rounding, not geometry.
+constexpr double corner_part = 1e-9;
+
+struct Edge {
+  Vec2 from, along, normal;  // unit vectors; normal outward
+  double length;
+  double gap(const Vec2& p) const { return normal.dot(p - from); }
+  double position(const Vec2& p) const { return along.dot(p - from); }
+};
+
+class Pair {
+ public:
+  Pair(const Model& model, const std::vector<char>& free_edge, int i, int j, double reach)
+      : model_(model),
+        free_edge_(free_edge),
+        i_(i),
+        j_(j),
+        reach_(reach),
+        least_(std::min(model.shapes[i].length, model.shapes[j].length)) {}
+
+  int i() const { return i_; }
+  int j() const { return j_; }
+  double reach() const { return reach_; }
+
+  Vec2 vertex(int block, int local) const { return model_.vertex[model_.shapes[block].vertex_begin + local]; }
+  int next(int block, int local) const { return model_.next_vertex(block, local); }
+  int previous(int block, int local) const { return local == 0 ? model_.vertex_count(block) - 1 : local - 1; }
+  Edge edge(int block, int local) const {
+    const Vec2 from = vertex(block, local), span = vertex(block, next(block, local)) - from;
+    const double length = span.norm();
+    const Vec2 along = span / length;
+    return {from, along, -perp(along), length};
+  }
+
+  bool free(int block, int edge) const { return free_edge_[model_.shapes[block].vertex_begin + edge]; }
+  bool exposed(int block, int v) const { return free(block, v) || free(block, previous(block, v)); }
+
+  // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both its edges lead away.
+  bool can_rest(int block, int v, const Vec2& n) const {
+    const Vec2 p = vertex(block, v);
+    return leads_away(vertex(block, next(block, v)) - p, n) && leads_away(vertex(block, previous(block, v)) - p, n);
+  }
+
+  Contact contact(int block_v, int v, int block_e, int e, double gap, bool corner) const {
+    Contact c;
+    c.i = block_v;
+    c.vertex = v;
+    c.j = block_e;
+    c.edge = e;
+    c.global_vertex = model_.shapes[block_v].vertex_begin + v;
+    c.global_edge = model_.shapes[block_e].vertex_begin + e;
+    c.gap = gap;
+    const double shared = corner ? 0 : shared_length(block_v, v, edge(block_e, e));
+    c.kind = corner ? ContactKind::angle_angle : shared > 0 ? ContactKind::edge_edge : ContactKind::angle_edge;
+    c.property = model_.contact_property(block_v, block_e);
+    c.length = shared / 2;  // an edge–edge contact has two such pairs
+    const JointProperty& property = model_.scene.properties[c.property];
+    if (property.stiffness_kind == StiffnessKind::per_contact) {
+      c.normal_stiffness = property.stiffness;
+    } else {
+      const double young = std::min(model_.material(i_).young, model_.material(j_).young);
+      c.normal_stiffness = property.stiffness * young / least_ * (shared > 0 ? shared : least_) / 2;
+    }
+    c.shear_stiffness = c.normal_stiffness * property.shear_ratio;
+    return c;
+  }
+
+  double deepest() const { return -0.25 * least_; }
+
+ private:
+  static bool leads_away(const Vec2& d, const Vec2& n) { return d.dot(n) >= -parallel_sine * d.norm(); }
+
+  // Length over which an edge at corner `v` lies along `e`, or 0.
+  double shared_length(int block, int v, const Edge& e) const {
+    const Vec2 p = vertex(block, v);
+    double shared = 0;
+    for (int other : {next(block, v), previous(block, v)}) {
+      const Vec2 q = vertex(block, other);
+      if (std::abs(e.normal.dot(q - p)) > parallel_sine * (q - p).norm()) continue;
+      const double s0 = std::clamp(e.position(p), 0.0, e.length), s1 = std::clamp(e.position(q), 0.0, e.length);
+      shared = std::max(shared, std::abs(s1 - s0));
+    }
+    return shared;
+  }
+
+  const Model& model_;
+  const std::vector<char>& free_edge_;
+  int i_, j_;
+  double reach_, least_;
+};
+
+struct Candidate {
+  int edge;
+  double gap;
+};
+
+bool convex(const Pair& pair, int block, int v) {
+  const Vec2 p = pair.vertex(block, v);
+  return cross(p - pair.vertex(block, pair.previous(block, v)), pair.vertex(block, pair.next(block, v)) - p) > 0;
+}
+
+// Where a vertex is inside two edges that share a convex corner it rests on the one it entered last.
+void drop_deeper(const Pair& pair, int block, std::vector<Candidate>& candidates) {
+  std::vector<Candidate> kept;
+  for (const Candidate& c : candidates) {
+    const bool deeper = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+      const bool follows = pair.next(block, c.edge) == other.edge, leads = pair.next(block, other.edge) == c.edge;
+      if (!(follows || leads) || c.gap >= 0 || other.edge == c.edge) return false;
+      if (!convex(pair, block, follows ? other.edge : c.edge)) return false;
+      return other.gap > c.gap || (other.gap == c.gap && other.edge < c.edge);
+    });
+    if (!deeper) kept.push_back(c);
+  }
+  candidates = std::move(kept);
+}
+
+// Vertices of block `bv` on edges of block `be`.
+void vertices_on_edges(const Pair& pair, const Model& model, int bv, int be, std::vector<Contact>& found) {
+  std::vector<Candidate> candidates;
+  for (int v = 0; v < model.vertex_count(bv); ++v) {
+    if (!pair.exposed(bv, v)) continue;
+    const Vec2 p = pair.vertex(bv, v);
+    candidates.clear();
+    for (int e = 0; e < model.vertex_count(be); ++e) {
+      if (!pair.free(be, e)) continue;
+      const Edge edge = pair.edge(be, e);
+      const double gap = edge.gap(p), s = edge.position(p);
+      if (gap > pair.reach() || gap < pair.deepest()) continue;
+      if (s < -corner_part * edge.length || s > (1 + corner_part) * edge.length) continue;
+      if (pair.can_rest(bv, v, edge.normal)) candidates.push_back({e, gap});
+    }
+    drop_deeper(pair, be, candidates);
+    for (const Candidate& c : candidates) found.push_back(pair.contact(bv, v, be, c.edge, c.gap, false));
+  }
+}
+
+bool touches(const Contact& c, int block_v, int v, int block_e, int e0, int e1) {
+  return c.i == block_v && c.vertex == v && c.j == block_e && (c.edge == e0 || c.edge == e1);
+}
+
+// Corner `v` of i against corner `w` of j, where neither rests on an edge at the other.
+void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<Contact>& found) {
+  const int i = pair.i(), j = pair.j();
+  if ((pair.vertex(i, v) - pair.vertex(j, w)).norm() > pair.reach()) return;
+  const int w0 = pair.previous(j, w), v0 = pair.previous(i, v);  // edges before the corners; those after bear its number
+  for (size_t c = first; c < found.size(); ++c)
+    if (touches(found[c], i, v, j, w, w0) || touches(found[c], j, w, i, v, v0)) return;
+  struct Choice {
+    int block_v, vertex, block_e, edge;
+    double gap;
+  };
+  std::vector<Choice> choices;
+  for (int e : {w, w0}) {
+    if (!pair.free(j, e)) continue;
+    const Edge edge = pair.edge(j, e);
+    if (pair.can_rest(i, v, edge.normal)) choices.push_back({i, v, j, e, edge.gap(pair.vertex(i, v))});
+  }
+  for (int e : {v, v0}) {
+    if (!pair.free(i, e)) continue;
+    const Edge edge = pair.edge(i, e);
+    if (pair.can_rest(j, w, edge.normal)) choices.push_back({j, w, i, e, edge.gap(pair.vertex(j, w))});
+  }
+  if (choices.empty()) return;
+  const Choice best = *std::max_element(choices.begin(), choices.end(),
+                                        [](const Choice& a, const Choice& b) { return a.gap < b.gap; });
+  if (best.gap > pair.reach() || best.gap < pair.deepest()) return;
+  found.push_back(pair.contact(best.block_v, best.vertex, best.block_e, best.edge, best.gap, true));
+}
+
+// Corners that coincide give the same contact twice, once from each block: the second is dropped.
+void drop_twins(const Pair& pair, size_t first, std::vector<Contact>& found) {
+  for (size_t c = first; c < found.size(); ++c) {
+    const Vec2 p = pair.vertex(found[c].i, found[c].vertex);
+    const double near = corner_part * pair.edge(found[c].j, found[c].edge).length;
+    for (size_t other = c + 1; other < found.size();) {
+      const bool twin = found[other].i == found[c].j && (pair.vertex(found[other].i, found[other].vertex) - p).norm() <= near &&
+                        pair.edge(found[c].j, found[c].edge).normal.dot(pair.edge(found[other].j, found[other].edge).normal) < -0.99;
+      if (twin)
+        found.erase(found.begin() + long(other));
+      else
+        ++other;
+    }
+  }
+}
+
+}  // namespace
+
+void find_contacts(const Model& model, const std::vector<char>& free_edge, int a, int b, double dt,
+                   std::vector<Contact>& found) {
+  const auto spin = [&](int k) { return std::abs(model.blocks[k].velocity[2]) / model.shapes[k].length * model.shapes[k].radius; };
+  const Vec2 approach(model.blocks[a].velocity[0] - model.blocks[b].velocity[0],
+                      model.blocks[a].velocity[1] - model.blocks[b].velocity[1]);
+  const double reach = search_margin * std::min(model.shapes[a].length, model.shapes[b].length) +
+                       1.5 * dt * (approach.norm() + spin(a) + spin(b));
+  const Pair pair(model, free_edge, a, b, reach);
+  const size_t first = found.size();
+  vertices_on_edges(pair, model, a, b, found);
+  vertices_on_edges(pair, model, b, a, found);
+  for (int v = 0; v < model.vertex_count(a); ++v)
+    if (pair.exposed(a, v))
+    for (int w = 0; w < model.vertex_count(b); ++w)
+      if (pair.exposed(b, w)) corner_on_corner(pair, v, w, first, found);
+  drop_twins(pair, first, found);
+}
+
+}  // namespace talus

@@ -1,0 +1,82 @@
+#include "equations/block_matrix.h"
+
+#include <algorithm>
+
+namespace talus {
+
+bool BlockMatrix::set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs) {
+  for (auto& [a, b] : pairs)
+    if (a > b) std::swap(a, b);
+  std::erase_if(pairs, [&](const auto& p) { return p.first == p.second || sizes[p.first] == 0 || sizes[p.second] == 0; });
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  if (sizes == sizes_ && pairs == pairs_) return false;
+  sizes_ = sizes;
+  pairs_ = std::move(pairs);
+
+  const int blocks = int(sizes_.size());
+  begin_.assign(blocks + 1, 0);
+  for (int b = 0; b < blocks; ++b) begin_[b + 1] = begin_[b] + sizes_[b];
+  pair_begin_.assign(blocks + 1, 0);
+  for (const auto& [column, row] : pairs_) ++pair_begin_[column + 1];
+  for (int b = 0; b < blocks; ++b) pair_begin_[b + 1] += pair_begin_[b];
+
+  pair_offset_.resize(pairs_.size());
+  column_begin_.assign(1, 0);
+  row_index_.clear();
+  for (int b = 0; b < blocks; ++b) {
+    int offset = sizes_[b];
+    for (int p = pair_begin_[b]; p < pair_begin_[b + 1]; ++p) {
+      pair_offset_[p] = offset;
+      offset += sizes_[pairs_[p].second];
+    }
+    for (int j = 0; j < sizes_[b]; ++j) {
+      for (int i = j; i < sizes_[b]; ++i) row_index_.push_back(begin_[b] + i);
+      for (int p = pair_begin_[b]; p < pair_begin_[b + 1]; ++p)
+        for (int i = 0; i < sizes_[pairs_[p].second]; ++i) row_index_.push_back(begin_[pairs_[p].second] + i);
+      column_begin_.push_back(int(row_index_.size()));
+    }
+  }
+  values.assign(row_index_.size(), 0.0);
+  return true;
+}
+
+BlockMatrix::Slot BlockMatrix::slot(int a, int b) const {
+  if (a == b) return {a, a, 0};
+  const auto [column, row] = std::minmax(a, b);
+  const auto first = pairs_.begin() + pair_begin_[column], last = pairs_.begin() + pair_begin_[column + 1];
+  const auto found = std::lower_bound(first, last, std::pair<int, int>(column, row));
+  if (found == last || found->second != row) return {};
+  return {row, column, pair_offset_[found - pairs_.begin()]};
+}
+
+void BlockMatrix::add_outer(const Slot& slot, double factor, const double* u, const double* v) {
+  const int rows = sizes_[slot.row], columns = sizes_[slot.column], first = begin_[slot.column];
+  const bool diagonal = slot.row == slot.column;
+  for (int j = 0; j < columns; ++j) {
+    const int skip = diagonal ? j : 0;
+    double* to = &values[column_begin_[first + j] + (diagonal ? 0 : slot.offset - j)];
+    const double scale = factor * v[j];
+    for (int i = skip; i < rows; ++i) to[i - skip] += scale * u[i];
+  }
+}
+
+void BlockMatrix::multiply(const Vector& x, Vector& y) const {
+  for (int j = 0; j < dimension(); ++j) {
+    int k = column_begin_[j];
+    const double xj = x[j];
+    double sum = values[k] * xj;
+    for (++k; k < column_begin_[j + 1]; ++k) {
+      const int i = row_index_[k];
+      y[i] += values[k] * xj;
+      sum += values[k] * x[i];
+    }
+    y[j] += sum;
+  }
+}
+
+int BlockMatrix::block_of_unknown(int unknown) const {
+  return int(std::upper_bound(begin_.begin(), begin_.end(), unknown) - begin_.begin()) - 1;
+}
+
+}  // namespace talus

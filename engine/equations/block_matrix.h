@@ -1,0 +1,65 @@
+#pragma once
+// A symmetric sparse matrix of dense blocks of any size, kept as the lower triangle by scalar columns (the
+// form CHOLMOD takes). The pattern comes from pairs of blocks; values are added through slots found once.
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace talus {
+
+using Vector = Eigen::VectorXd;
+
+class BlockMatrix {
+ public:
+  // sizes: unknowns of each block (0 allowed). pairs: blocks that may couple, in any order, repeats allowed.
+  // Returns whether the pattern changed; slots stay valid while it does not.
+  bool set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs);
+
+  // Where the (row block, column block) submatrix lies; row > column, or equal for the diagonal.
+  struct Slot {
+    int row = -1, column = -1;
+    int offset = 0;  // rows between the top of the column's entries and the submatrix
+  };
+  Slot slot(int a, int b) const;
+
+  // K(row, column) += m, where m(i, j) belongs to row unknown i and column unknown j (or transposed, when
+  // the pair was given in the other order). Only the lower triangle of a diagonal block is read.
+  template <typename Derived>
+  void add(const Slot& slot, bool transposed, const Eigen::MatrixBase<Derived>& m) {
+    const int rows = sizes_[slot.row], columns = sizes_[slot.column], first = begin_[slot.column];
+    for (int j = 0; j < columns; ++j) {
+      const int skip = slot.row == slot.column ? j : 0;
+      double* to = &values[column_begin_[first + j] + (slot.row == slot.column ? 0 : slot.offset - j)];
+      for (int i = skip; i < rows; ++i) to[i - skip] += transposed ? m(j, i) : m(i, j);
+    }
+  }
+  // K(row, column) += factor * u vᵀ for contact rows.
+  void add_outer(const Slot& slot, double factor, const double* u, const double* v);
+
+  void clear() { std::fill(values.begin(), values.end(), 0.0); }
+  // y += K x
+  void multiply(const Vector& x, Vector& y) const;
+
+  int dimension() const { return int(column_begin_.size()) - 1; }
+  int block_count() const { return int(sizes_.size()); }
+  int block_of_unknown(int unknown) const;
+  const std::vector<int>& column_begin() const { return column_begin_; }
+  const std::vector<int>& row_index() const { return row_index_; }
+  const std::vector<int>& sizes() const { return sizes_; }
+  const std::vector<int>& block_begin() const { return begin_; }
+  const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }  // (column, row), sorted, row > column
+
+  std::vector<double> values;
+
+ private:
+  std::vector<int> sizes_, begin_;           // unknowns, first unknown
+  std::vector<std::pair<int, int>> pairs_;   // sorted (column, row)
+  std::vector<int> pair_begin_;              // first pair of a column block
+  std::vector<int> pair_offset_;             // rows above the pair's submatrix in the column
+  std::vector<int> column_begin_, row_index_;
+};
+
+}  // namespace talus

@@ -1,0 +1,17 @@
+#pragma once
+// Inertia, elasticity, gravity and body force of each block.
+#include "equations/system.h"
+
+namespace talus {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+// ∫ρ TᵀT dA in the block's own axes (kg/m); constant.
+Matrix6 mass_matrix(const Model& model, int block);
+
+// External force per area on a block, N/m2: gravity and its region's body force at time `t`.
+Vec2 body_force(const Model& model, int region, double density, double t);
+
+void add_block_terms(const Model& model, const Poses& poses, const Scheme& scheme, System& system);
+
+}  // namespace talus

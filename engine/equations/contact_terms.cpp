@@ -1,0 +1,70 @@
+#include "equations/contact_terms.h"
+
+#include <cmath>
+#include <limits>
+
+namespace talus {
+
+void ContactTerms::linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick) {
+  factor_ = scheme.contact_d;
+  rows_.resize(model.contacts.size());
+  for (size_t k = 0; k < rows_.size(); ++k) {
+    const Contact& contact = model.contacts[k];
+    const JointProperty& property = model.scene.properties[contact.property];
+    const BlockShape &shape_i = model.shapes[contact.i], &shape_j = model.shapes[contact.j];
+    const Pose &pose_i = poses.blocks[contact.i], &pose_j = poses.blocks[contact.j];
+    const Vec2 at = poses.vertex[contact.global_vertex], from = poses.vertex[contact.global_edge];
+    const Vec2 span = poses.vertex[shape_j.vertex_begin + model.next_vertex(contact.j, contact.edge)] - from;
+    const Vec2 along = span.normalized(), normal = -perp(along);
+    const double gap = normal.dot(at - from);
+    const Vec2 foot = at - gap * normal;
+
+    ContactRows& row = rows_[k];
+    row.contact = int(k);
+    row.dof_i = shape_i.dof_begin;
+    row.dof_j = shape_j.dof_begin;
+    row.size_i = shape_i.dofs;
+    row.size_j = shape_j.dofs;
+    row.normal_i = pose_i.row(at, normal);
+    row.shear_i = pose_i.row(at, along);
+    row.normal_j = pose_j.row(foot, -normal);
+    row.shear_j = pose_j.row(foot, -along);
+    const double approach = dot(row.normal_i, pose_i.velocity.data(), max_dofs) +
+                            dot(row.normal_j, pose_j.velocity.data(), max_dofs);
+    const double sliding = dot(row.shear_i, pose_i.velocity.data(), max_dofs) +
+                           dot(row.shear_j, pose_j.velocity.data(), max_dofs);
+    row.gap0 = gap + contact.offset + scheme.contact_v * approach;
+    row.slide0 = contact.stretch + scheme.step_v * sliding;
+    row.kn = contact.normal_stiffness;
+    row.ks = contact.shear_stiffness;
+    row.friction = stick ? std::numeric_limits<double>::infinity() : std::tan(property.friction);
+    row.cohesion = property.cohesion * contact.length;
+  }
+}
+
+void ContactTerms::find_slots(const BlockMatrix& matrix, const Model& model) {
+  slots_.clear();
+  for (const Contact& c : model.contacts)
+    slots_.push_back({matrix.slot(c.i, c.i), matrix.slot(c.j, c.j), matrix.slot(c.i, c.j)});
+}
+
+void ContactTerms::add_stiffness(BlockMatrix& matrix, const std::vector<char>& closed,
+                                 const std::vector<char>& stuck) const {
+  for (size_t k = 0; k < rows_.size(); ++k) {
+    const ContactRows& row = rows_[k];
+    const Slots& slots = slots_[k];
+    const auto add = [&](double stiffness, const Row& i, const Row& j) {
+      const double factor = factor_ * stiffness;
+      if (row.size_i) matrix.add_outer(slots.ii, factor, i.data(), i.data());
+      if (row.size_j) matrix.add_outer(slots.jj, factor, j.data(), j.data());
+      if (row.size_i && row.size_j) {
+        const bool i_is_row = slots.ij.row == slots.ii.row;
+        matrix.add_outer(slots.ij, factor, i_is_row ? i.data() : j.data(), i_is_row ? j.data() : i.data());
+      }
+    };
+    if (closed[k]) add(row.kn, row.normal_i, row.normal_j);
+    if (stuck[k]) add(row.ks, row.shear_i, row.shear_j);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,49 @@
+#pragma once
+// Contacts at the configuration of linearisation: what each feels of the unknowns, and the law between gap,
+// sliding and force. The law is a spring pressed by max(0, -(gap + offset)), and a shear spring whose force
+// returns to the Coulomb cone |t| <= N tan φ + c·length (return mapping; the elastic part is kept as `stretch`).
+#include "equations/system.h"
+
+namespace talus {
+
+struct ContactRows {
+  Row normal_i, normal_j, shear_i, shear_j;  // change of gap and of sliding under unit unknowns
+  int dof_i, dof_j, size_i, size_j;
+  double gap0, slide0;  // gap and stretch at d = 0, velocities carried to where contacts are judged
+  double kn, ks;        // N/m
+  double friction, cohesion;  // tan φ; N
+  int contact;          // index into Model::contacts
+
+  double along(const Row& i, const Row& j, const Vector& d) const {
+    double sum = 0;
+    for (int k = 0; k < size_i; ++k) sum += i[k] * d[dof_i + k];
+    for (int k = 0; k < size_j; ++k) sum += j[k] * d[dof_j + k];
+    return sum;
+  }
+  void add(const Row& i, const Row& j, double force, Vector& f) const {
+    for (int k = 0; k < size_i; ++k) f[dof_i + k] += force * i[k];
+    for (int k = 0; k < size_j; ++k) f[dof_j + k] += force * j[k];
+  }
+};
+
+class ContactTerms {
+ public:
+  // `stick`: no joint slides (the settled start).
+  void linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick);
+  void find_slots(const BlockMatrix& matrix, const Model& model);
+  // matrix += contact_d Σ kn n nᵀ over `closed` and ks s sᵀ over `stuck`.
+  void add_stiffness(BlockMatrix& matrix, const std::vector<char>& closed, const std::vector<char>& stuck) const;
+
+  const std::vector<ContactRows>& rows() const { return rows_; }
+  double factor() const { return factor_; }
+
+ private:
+  std::vector<ContactRows> rows_;
+  struct Slots {
+    BlockMatrix::Slot ii, jj, ij;
+  };
+  std::vector<Slots> slots_;
+  double factor_ = 0;
+};
+
+}  // namespace talus

@@ -1,0 +1,214 @@
+#include "equations/joint_terms.h"
+
+#include <Eigen/Eigenvalues>
+
+#include "equations/boundary_terms.h"
+
+namespace talus {
+
+namespace {
+
+using Matrix23 = Eigen::Matrix<double, 2, 3>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+// (σx, σy, τ) -> traction on a face of normal n.
+Matrix23 traction_of(const Vec2& n) {
+  Matrix23 m;
+  m << n.x(), 0, n.y(), 0, n.y(), n.x();
+  return m;
+}
+
+// One side of a bond at the configuration of linearisation.
+struct Side {
+  const Pose& pose;
+  Mat3 elasticity;
+  Vec3 initial_stress;
+  Vec2 normal;    // reference
+  double weight;  // share in the flux
+
+  Vec2 traction(const Vec3& strain) const {
+    return pose.rotation.turn(traction_of(normal) * (initial_stress + elasticity * strain));
+  }
+  // Weighted traction under unit unknowns; the rotation column turns the present traction and enters the
+  // force only (angular momentum), for in the stiffness it is of the order of stress against modulus.
+  Matrix26 flux(const Vec3& strain, bool with_rotation) const {
+    Matrix26 s = Matrix26::Zero();
+    const Matrix23 own = (weight / pose.length) * traction_of(normal) * elasticity;
+    for (int k = 0; k < 3; ++k) s.col(3 + k) = pose.rotation.turn(own.col(k));
+    if (with_rotation) s.col(2) = weight / pose.length * perp(traction(strain));
+    return s;
+  }
+  Vec3 strain_at(double seconds) const {
+    return pose.strain + seconds / pose.length * Vec3(pose.velocity[3], pose.velocity[4], pose.velocity[5]);
+  }
+};
+
+Side side_of(const Model& model, const Poses& poses, int block, const Vec2& normal, double weight) {
+  return {poses.blocks[block], elasticity(model.material(block)), model.shapes[block].initial_stress, normal, weight};
+}
+
+Vec2 between(const std::array<Vec2, 2>& ends, double at) { return (1 - at) * ends[0] + at * ends[1]; }
+
+Vector6 velocity_of(const Pose& pose) { return Eigen::Map<const Vector6>(pose.velocity.data()); }
+
+// Largest eigenvalue of Σ w² L (N D)ᵀ(N D) against A D: the least k that is provably enough for one block (Pa/m).
+double least_stiffness(const Mat3& flux, const Mat3& elasticity, double area) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> pencil(elasticity * flux * elasticity, area * elasticity,
+                                                              Eigen::EigenvaluesOnly);
+  return pencil.eigenvalues()[2];
+}
+
+std::array<double, 2> spring_stiffness(const Model& model, const Joint& joint) {
+  const JointProperty& property = model.scene.properties[joint.property];
+  double normal = property.stiffness;
+  if (property.stiffness_kind == StiffnessKind::per_length) {
+    const double young = std::min(model.material(joint.a).young, model.material(joint.b).young);
+    normal *= young / std::min(model.shapes[joint.a].length, model.shapes[joint.b].length);
+  } else {
+    normal /= joint.points[0].weight;  // N/m of one end -> per area
+  }
+  return {normal, normal * property.shear_ratio};
+}
+
+}  // namespace
+
+void JointTerms::prepare(const Model& model) {
+  std::vector<Mat3> flux(model.shapes.size(), Mat3::Zero());
+  const auto add_face = [&](int block, const Vec2& normal, double weighted_length) {
+    const Matrix23 n = traction_of(normal);
+    flux[block] += weighted_length * n.transpose() * n;
+  };
+  for (const Joint& joint : model.joints) {
+    if (joint.state != JointState::intact || joint.kind != BondKind::exact) continue;
+    add_face(joint.a, joint.normal, joint.weight_a * joint.weight_a * joint.length);
+    add_face(joint.b, joint.normal, joint.weight_b * joint.weight_b * joint.length);
+  }
+  for (const EdgeFixity& edge : model.edge_fixities) add_face(edge.block, edge.normal, edge.length);
+
+  std::vector<double> least(model.shapes.size(), 0.0);
+  for (size_t b = 0; b < least.size(); ++b)
+    if (model.shapes[b].dofs > 3)
+      least[b] = least_stiffness(flux[b], elasticity(model.material(int(b))), model.shapes[b].area);
+
+  stiffness_.resize(model.joints.size());
+  for (size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    if (joint.kind == BondKind::spring || joint.weight_a + joint.weight_b == 0) {
+      stiffness_[j] = spring_stiffness(model, joint);
+      continue;
+    }
+    const double k = model.scene.properties[joint.property].penalty *
+                     ((joint.weight_a > 0 ? least[joint.a] : 0) + (joint.weight_b > 0 ? least[joint.b] : 0));
+    stiffness_[j] = {k, k};
+  }
+  ground_stiffness_.resize(model.edge_fixities.size());
+  for (size_t e = 0; e < ground_stiffness_.size(); ++e) {
+    const EdgeFixity& edge = model.edge_fixities[e];
+    const int property = model.scene.regions[model.shapes[edge.block].region].joint;
+    const double penalty = property >= 0 ? model.scene.properties[property].penalty : JointProperty{}.penalty;
+    ground_stiffness_[e] = 2 * penalty * least[edge.block];
+  }
+}
+
+void JointTerms::find_slots(const Model& model, const BlockMatrix& matrix) {
+  slots_.clear();
+  for (const Joint& joint : model.joints)
+    slots_.push_back({matrix.slot(joint.a, joint.a), matrix.slot(joint.b, joint.b), matrix.slot(joint.a, joint.b)});
+}
+
+void JointTerms::add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const {
+  for (size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    if (joint.state != JointState::intact) continue;
+    const Side a = side_of(model, poses, joint.a, joint.normal, joint.weight_a);
+    const Side b = side_of(model, poses, joint.b, joint.normal, joint.weight_b);
+    const bool exact = joint.kind == BondKind::exact;
+    const Vec3 strain_a = a.strain_at(scheme.bond_v), strain_b = b.strain_at(scheme.bond_v);
+    const Matrix26 zero = Matrix26::Zero();
+    const Matrix26 sa = exact ? a.flux(strain_a, false) : zero, sb = exact ? b.flux(strain_b, false) : zero;
+    const Matrix26 sa_force = exact ? a.flux(strain_a, true) : zero, sb_force = exact ? b.flux(strain_b, true) : zero;
+    const Vec2 mean_flux =
+        exact ? Vec2(a.weight * a.traction(strain_a) + b.weight * b.traction(strain_b)) : Vec2(0, 0);
+    // Joint axes for the springs: the mean of the two blocks' turned normals.
+    const Vec2 n = (a.pose.rotation.turn(joint.normal) + b.pose.rotation.turn(joint.normal)).normalized();
+    const auto [kn, ks] = stiffness_[j];
+    const Mat2 stiffness = kn * n * n.transpose() + ks * perp(n) * perp(n).transpose();
+
+    Matrix6 kaa = Matrix6::Zero(), kbb = kaa, kab = kaa;
+    Vector6 fa = Vector6::Zero(), fb = fa;
+    for (const JointPoint& point : joint.points) {
+      const Vec2 at_a = a.pose.place(between(joint.in_a, point.at)), at_b = b.pose.place(between(joint.in_b, point.at));
+      const Matrix26 ta = a.pose.rows(at_a), tb = b.pose.rows(at_b);
+      const Vec2 gap = b.pose.displacement(between(joint.in_b, point.at)) -
+                       a.pose.displacement(between(joint.in_a, point.at)) +
+                       scheme.bond_v * (tb * velocity_of(b.pose) - ta * velocity_of(a.pose));
+      const Vec2 traction = mean_flux + stiffness * gap;
+      const double w = point.weight;
+      fa += w * (ta.transpose() * traction - sa_force.transpose() * gap);
+      fb -= w * (tb.transpose() * traction + sb_force.transpose() * gap);
+      const double wk = w * scheme.bond_d;
+      kaa += wk * (ta.transpose() * (stiffness * ta - sa) - sa.transpose() * ta);
+      kbb += wk * (tb.transpose() * (stiffness * tb + sb) + sb.transpose() * tb);
+      kab += wk * (-ta.transpose() * (stiffness * tb + sb) + sa.transpose() * tb);
+    }
+    const BlockShape &shape_a = model.shapes[joint.a], &shape_b = model.shapes[joint.b];
+    system.add_force(shape_a, joint.a, fa);
+    system.add_force(shape_b, joint.b, fb);
+    if (shape_a.dofs) system.matrix.add(slots_[j].aa, false, kaa);
+    if (shape_b.dofs) system.matrix.add(slots_[j].bb, false, kbb);
+    if (shape_a.dofs && shape_b.dofs) system.matrix.add(slots_[j].ab, slots_[j].ab.row != joint.a, kab);
+  }
+}
+
+void JointTerms::add_ground(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const {
+  const double time = model.time + scheme.hold_time;
+  for (size_t e = 0; e < model.edge_fixities.size(); ++e) {
+    const EdgeFixity& edge = model.edge_fixities[e];
+    const Fixity& fixity = model.scene.fixities[edge.fixity];
+    const Side a = side_of(model, poses, edge.block, edge.normal, 1);
+    const Vec3 strain = a.strain_at(scheme.bond_v);
+    const Matrix26 s = a.flux(strain, false);
+    const Vec2 flux = a.traction(strain);
+    const Vec2 moved = fixity_displacement(fixity, time);
+    const Mat2 held = Vec2(fixity.held[0], fixity.held[1]).asDiagonal();
+    Matrix6 k = Matrix6::Zero();
+    Vector6 f = Vector6::Zero();
+    for (double at : {0.5 - std::sqrt(3.0) / 6, 0.5 + std::sqrt(3.0) / 6}) {
+      const Vec2 in_block = between(edge.in_block, at), place = a.pose.place(in_block);
+      const Matrix26 t = a.pose.rows(place);
+      const Vec2 gap = held * (moved - a.pose.displacement(in_block) - scheme.bond_v * t * velocity_of(a.pose));
+      const double w = edge.length / 2;
+      f += w * (t.transpose() * (held * flux + ground_stiffness_[e] * gap) - s.transpose() * gap);
+      k += w * scheme.bond_d *
+           (ground_stiffness_[e] * t.transpose() * held * t - t.transpose() * held * s - s.transpose() * held * t);
+    }
+    system.add_force(model.shapes[edge.block], edge.block, f);
+    if (model.shapes[edge.block].dofs) system.matrix.add(system.matrix.slot(edge.block, edge.block), false, k);
+  }
+}
+
+void JointTerms::store_tractions(Model& model) const {
+  Poses now;
+  now.predict(model, Scheme::equilibrium(0));
+  for (size_t j = 0; j < model.joints.size(); ++j) {
+    Joint& joint = model.joints[j];
+    const Side a = side_of(model, now, joint.a, joint.normal, joint.weight_a);
+    const Side b = side_of(model, now, joint.b, joint.normal, joint.weight_b);
+    const Vec2 n = (a.pose.rotation.turn(joint.normal) + b.pose.rotation.turn(joint.normal)).normalized();
+    const bool intact = joint.state == JointState::intact;
+    const Vec2 flux = intact && joint.kind == BondKind::exact
+                          ? Vec2(a.weight * a.traction(a.pose.strain) + b.weight * b.traction(b.pose.strain))
+                          : Vec2(0, 0);
+    for (JointPoint& point : joint.points) {
+      const Vec2 gap =
+          b.pose.displacement(between(joint.in_b, point.at)) - a.pose.displacement(between(joint.in_a, point.at));
+      point.opening = gap.dot(n);
+      point.slip = gap.dot(perp(n));
+      point.normal = intact ? flux.dot(n) + stiffness_[j][0] * point.opening : 0;
+      point.shear = intact ? flux.dot(perp(n)) + stiffness_[j][1] * point.slip : 0;
+    }
+  }
+}
+
+}  // namespace talus

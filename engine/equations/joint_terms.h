@@ -1,0 +1,39 @@
+#pragma once
+// Bonds: intact joints, and edges bonded to the ground.
+//
+// exact: Nitsche's method (Nitsche 1971; in elasticity Hansbo & Larson 2002). With g the jump of place across
+// the joint and {σ}n the weighted mean of the two blocks' tractions, the bond's energy is
+//   ∫ {σ}n · g + ½ k g · g  ds,      traction  t = {σ}n + k g.
+// It is consistent: where the exact solution has no jump the traction is the rock's own, so intact rock has
+// no joint compliance. The sum with the blocks' strain energy is positive when, for each block,
+//   Σ_e w_e² L_e |N_e D ε|² / κ_e <= A ε·D ε        (Young's inequality on each edge's flux),
+// so with κ the largest eigenvalue of that quotient at κ_e = 1, k = penalty (κ_a + κ_b), penalty > 1, is
+// positive definite by proof, on any mesh. κ ~ E/h.
+//
+// spring: springs at the edge's ends (Ning et al. 2011), normal and shear.
+#include "equations/system.h"
+
+namespace talus {
+
+class JointTerms {
+ public:
+  void prepare(const Model& model);  // stiffnesses; again when Model::revision has changed
+  void find_slots(const Model& model, const BlockMatrix& matrix);
+  void add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const;
+  void add_ground(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const;
+  // Tractions, openings and slips of the joints' points in the model's present state.
+  void store_tractions(Model& model) const;
+
+  // N/m3: {normal, shear} stiffness per area of joint `j`; k twice for an exact bond.
+  std::array<double, 2> stiffness(int j) const { return stiffness_[j]; }
+
+ private:
+  std::vector<std::array<double, 2>> stiffness_;
+  std::vector<double> ground_stiffness_;  // N/m3, per EdgeFixity
+  struct Slots {
+    BlockMatrix::Slot aa, bb, ab;
+  };
+  std::vector<Slots> slots_;
+};
+
+}  // namespace talus

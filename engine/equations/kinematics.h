@@ -1,0 +1,65 @@
+#pragma once
+// Blocks at the configuration a step is linearised about, and the rows that take unknowns to displacements.
+#include <array>
+#include <vector>
+
+#include "equations/scheme.h"
+#include "model/model.h"
+
+namespace talus {
+
+using Row = std::array<double, max_dofs>;
+using Matrix26 = Eigen::Matrix<double, 2, 6>;
+
+struct Pose {
+  Vec2 shift, centroid;
+  Rotation rotation;
+  Vec3 strain;     // block axes
+  double length;   // m, the block's scale
+  std::array<double, max_dofs> velocity;
+
+  Vec2 place(const Vec2& in_block) const {
+    return centroid + rotation.turn({(1 + strain[0]) * in_block.x() + strain[2] / 2 * in_block.y(),
+                                     strain[2] / 2 * in_block.x() + (1 + strain[1]) * in_block.y()});
+  }
+  // place - reference place, from displacements alone: (R - I) X + R e X + shift.
+  Vec2 displacement(const Vec2& in_block) const {
+    const double x = in_block.x(), y = in_block.y();
+    const Vec2 turned(rotation.c1 * x - rotation.s * y, rotation.s * x + rotation.c1 * y);
+    return shift + turned +
+           rotation.turn({strain[0] * x + strain[2] / 2 * y, strain[2] / 2 * x + strain[1] * y});
+  }
+  // Displacement of the point `at` along `direction` under unit unknowns (first-order displacement functions,
+  // Shi 1988, in the block's own axes and divided by its length). A rigid block uses the first three.
+  Row row(const Vec2& at, const Vec2& direction) const {
+    const Vec2 x = rotation.back(at - centroid) / length, n = rotation.back(direction);
+    return {direction.x(), direction.y(), cross(x, n), x.x() * n.x(), x.y() * n.y(),
+            (x.y() * n.x() + x.x() * n.y()) / 2};
+  }
+  Matrix26 rows(const Vec2& at) const {
+    const Row x = row(at, Vec2::UnitX()), y = row(at, Vec2::UnitY());
+    Matrix26 t;
+    for (int k = 0; k < 6; ++k) {
+      t(0, k) = x[k];
+      t(1, k) = y[k];
+    }
+    return t;
+  }
+};
+
+inline double dot(const Row& row, const double* values, int count) {
+  double sum = 0;
+  for (int k = 0; k < count; ++k) sum += row[k] * values[k];
+  return sum;
+}
+
+// Poses after moving every block by its own velocity for `scheme.mid` seconds: straight flight of centroids,
+// exact rotation.
+struct Poses {
+  std::vector<Pose> blocks;
+  std::vector<Vec2> vertex;
+
+  void predict(const Model& model, const Scheme& scheme);
+};
+
+}  // namespace talus

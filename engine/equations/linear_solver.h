@@ -1,0 +1,29 @@
+#pragma once
+// Sparse Cholesky of a BlockMatrix (CHOLMOD, supernodal). The order is found once on the block graph and
+// kept while the pattern lasts. The only room that knows SuiteSparse.
+#include <memory>
+
+#include "equations/block_matrix.h"
+
+namespace talus {
+
+class LinearSolver {
+ public:
+  LinearSolver();
+  ~LinearSolver();
+
+  // To be called after every change of pattern.
+  void analyse(const BlockMatrix& matrix);
+  // The block at which the matrix turned out not to be positive definite, or -1 when the factor is good.
+  int factor(const BlockMatrix& matrix);
+  // x = K⁻¹ b with the last factor.
+  void solve(const Vector& b, Vector& x);
+
+  long factorisations = 0;
+
+ private:
+  struct Cholmod;
+  std::unique_ptr<Cholmod> cholmod_;
+};
+
+}  // namespace talus

@@ -1,0 +1,37 @@
+#pragma once
+// Smoothed stress for first-order blocks: block displacements are averaged at the corners that bonded blocks
+// share, a cubic polynomial is fitted to the corners within 3 h of a point (least squares), and its gradient
+// F = R U gives the stress through the strain U - I. One recovery serves output, probes and checks.
+// Only blocks that can be reached through intact joints take part, so a crack separates its faces.
+// Source: patch recovery of Zienkiewicz & Zhu (1992), here of displacements instead of stresses.
+#include <vector>
+
+#include "model/model.h"
+
+namespace talus {
+
+class Recovery {
+ public:
+  explicit Recovery(const Model& model);
+  // Brings the corner averages up to date with the model.
+  void update(const Model& model);
+  // Stress (sxx, syy, sxy; global axes, Pa) at the material point `in_block` of `block`; the raw block stress
+  // where fewer than 6 corners are near (single blocks) or the block is rigid.
+  Vec3 stress_at(const Model& model, int block, const Vec2& in_block) const;
+
+ private:
+  struct Patch {
+    std::vector<int> corners;  // indices into average_
+    double radius;
+  };
+  Patch patch(const Model& model, int block, const Vec2& at) const;
+  void connect(const Model& model);
+
+  int intact_joints_ = -1;
+  std::vector<int> corner_of_vertex_;     // per block vertex: the shared corner it belongs to, or -1
+  std::vector<Vec2> corner_position_;     // reference
+  std::vector<Vec2> corner_displacement_;
+  std::vector<int> neighbour_begin_, neighbours_;  // blocks across intact joints
+};
+
+}  // namespace talus

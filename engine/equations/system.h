@@ -1,0 +1,25 @@
+#pragma once
+// The linear part of a step: K d = f for everything but contacts.
+#include "equations/block_matrix.h"
+#include "equations/kinematics.h"
+
+namespace talus {
+
+struct System {
+  BlockMatrix matrix;
+  Vector force;  // at d = 0
+  // Sum of the magnitudes of the forces that meet in a block (N): what its residual is compared with.
+  std::vector<double> force_scale;
+
+  void clear(const Model& model) {
+    matrix.clear();
+    force.setZero(model.dofs);
+    force_scale.assign(model.shapes.size(), 0.0);
+  }
+  void add_force(const BlockShape& shape, int block, const Eigen::Matrix<double, 6, 1>& f) {
+    for (int k = 0; k < shape.dofs; ++k) force[shape.dof_begin + k] += f[k];
+    force_scale[block] += f.norm();
+  }
+};
+
+}  // namespace talus

@@ -1,0 +1,79 @@
+#include "model/model.h"
+
+namespace talus {
+
+namespace {
+
+Vec2 stretched(const Vec3& strain, const Vec2& x) {
+  return {(1 + strain[0]) * x.x() + strain[2] / 2 * x.y(), strain[2] / 2 * x.x() + (1 + strain[1]) * x.y()};
+}
+
+}  // namespace
+
+Vec2 Model::place(int block, const Vec2& in_block) const {
+  const BlockState& state = blocks[block];
+  return state.centroid + Rotation::of(state.angle).turn(stretched(state.strain, in_block));
+}
+
+Vec2 Model::velocity_at(int block, const Vec2& point) const {
+  const BlockState& state = blocks[block];
+  const Rotation rotation = Rotation::of(state.angle);
+  const auto& v = state.velocity;
+  const Vec2 x = rotation.back(point - state.centroid) / shapes[block].length;
+  const Vec2 local(-v[2] * x.y() + v[3] * x.x() + v[5] / 2 * x.y(), v[2] * x.x() + v[4] * x.y() + v[5] / 2 * x.x());
+  return Vec2(v[0], v[1]) + rotation.turn(local);
+}
+
+double Model::area(int block) const {
+  const Vec3& e = blocks[block].strain;
+  return shapes[block].area * ((1 + e[0]) * (1 + e[1]) - e[2] * e[2] / 4);
+}
+
+Vec3 Model::stress(int block) const {
+  const BlockState& state = blocks[block];
+  const Vec3 own = shapes[block].initial_stress + elasticity(material(block)) * state.strain;
+  return turn_stress(Rotation::of(state.angle), own);
+}
+
+void Model::place_vertices() {
+  vertex.resize(reference_vertex.size());
+  for (size_t b = 0; b < shapes.size(); ++b) {
+    const BlockState& state = blocks[b];
+    const Rotation rotation = Rotation::of(state.angle);
+    for (int v = shapes[b].vertex_begin; v < shapes[b].vertex_end; ++v)
+      vertex[v] = state.centroid + rotation.turn(stretched(state.strain, reference_vertex[v]));
+  }
+}
+
+int Model::contact_property(int a, int b) const {
+  const auto found = pair_property.find((std::int64_t(std::min(a, b)) << 32) | std::max(a, b));
+  if (found != pair_property.end()) return found->second;
+  const int region_a = shapes[a].region, region_b = shapes[b].region;
+  for (const ContactRule& rule : scene.contact_rules)
+    if ((rule.region_a == region_a && rule.region_b == region_b) ||
+        (rule.region_a == region_b && rule.region_b == region_a))
+      return rule.property;
+  if (region_a == region_b && scene.regions[region_a].joint >= 0) return scene.regions[region_a].joint;
+  return scene.contact;
+}
+
+Mat3 elasticity(const Material& material) {
+  const double nu = material.poisson;
+  Mat3 d = Mat3::Zero();
+  if (material.plane == Plane::stress) {
+    const double factor = material.young / (1 - nu * nu);
+    d << factor, factor * nu, 0, factor * nu, factor, 0, 0, 0, factor * (1 - nu) / 2;
+  } else {
+    const double factor = material.young / ((1 + nu) * (1 - 2 * nu));
+    d << factor * (1 - nu), factor * nu, 0, factor * nu, factor * (1 - nu), 0, 0, 0, factor * (1 - 2 * nu) / 2;
+  }
+  return d;
+}
+
+Vec3 turn_stress(const Rotation& r, const Vec3& s) {
+  const double c = r.c, n = r.s;
+  return {c * c * s[0] + n * n * s[1] - 2 * c * n * s[2], n * n * s[0] + c * c * s[1] + 2 * c * n * s[2],
+          c * n * (s[0] - s[1]) + (c * c - n * n) * s[2]};
+}
+
+}  // namespace talus

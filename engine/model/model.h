@@ -1,0 +1,186 @@
+#pragma once
+// The tables a run works on. Dense ids never change; one meaning an array, all run long.
+// Lengths in metres from Model::origin, forces in N per metre of thickness, stresses in Pa (tension positive).
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/vec2.h"
+#include "scene/scene.h"
+
+namespace talus {
+
+using Vec3 = Eigen::Vector3d;
+using Mat2 = Eigen::Matrix2d;
+using Mat3 = Eigen::Matrix3d;
+
+constexpr int max_dofs = 6;
+// Unknowns of a block, all in metres: translation of the centroid (x, y; global axes), then l·rotation, and
+// for first-order blocks l·(εx, εy, γxy) in the block's own turning axes. l is the block's length √area.
+using DofVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_dofs, 1>;
+
+struct Rotation {
+  double c = 1, s = 0;
+  double c1 = 0;  // c - 1, without cancellation
+  static Rotation of(double angle) {
+    const double half = std::sin(angle / 2);
+    return {std::cos(angle), std::sin(angle), -2 * half * half};
+  }
+  Vec2 turn(const Vec2& v) const { return {c * v.x() - s * v.y(), s * v.x() + c * v.y()}; }
+  Vec2 back(const Vec2& v) const { return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()}; }
+};
+
+// Where a block is: what a step changes and a snapshot keeps.
+struct BlockState {
+  Vec2 shift = Vec2::Zero();         // m, of the centroid since the start: kept apart from the place, so that a
+                                     // joint's jump is a difference of displacements and keeps its digits
+  Vec2 centroid = Vec2::Zero();      // m, reference centroid + shift
+  double angle = 0;                  // rad, since the start
+  Vec3 strain = Vec3::Zero();        // εx, εy, γxy in the block's axes, since the start
+  std::array<double, max_dofs> velocity{};  // rates of the unknowns, m/s
+};
+
+// What a block is: constant after build.
+struct BlockShape {
+  int dofs = 0;  // 0 held, 3 rigid, 6 first order
+  int dof_begin = 0;
+  int vertex_begin = 0, vertex_end = 0;  // into Model::vertex, reference_vertex
+  int region = 0, material = 0;
+  double area = 0;        // m2, reference
+  double length = 0;      // m, √area: scale of unknowns and of contact stiffness
+  double radius = 0;      // m, farthest vertex from the centroid
+  double xx = 0, yy = 0, xy = 0;  // second moments about the centroid, reference axes, m4
+  Vec2 reference_centroid = Vec2::Zero();
+  Vec3 initial_stress = Vec3::Zero();  // sxx, syy, sxy in the block's axes
+};
+
+enum class JointState : std::uint8_t { intact, failed };
+
+struct JointPoint {  // an integration point of a joint, and its state
+  double at = 0, weight = 0;           // position 0–1 along the joint; m
+  double normal = 0, shear = 0;        // traction, Pa (of the last accepted step)
+  double opening = 0, slip = 0;        // m, jump in the joint's axes
+};
+
+// A persistent interface between two blocks that share an edge. The edge runs from end 0 to end 1 with
+// block a on its left; its normal points from a to b.
+struct Joint {
+  int a = 0, b = 0;
+  int property = 0;
+  int trace = -1;  // id of the joint trace of its region, or -1 for an artificial joint
+  JointState state = JointState::intact;
+  BondKind kind = BondKind::exact;
+  double length = 0;                   // m, reference
+  Vec2 normal = Vec2::Zero();          // reference
+  std::array<Vec2, 2> in_a, in_b;      // ends, from the blocks' reference centroids
+  int edge_a = 0, edge_b = 0;          // the blocks' own edges, by local number
+  double weight_a = 0.5, weight_b = 0.5;  // shares of the two blocks in the flux {σ}n
+  std::array<JointPoint, 2> points;
+};
+
+enum class ContactState : std::uint8_t { open, stick, slip };
+enum class ContactKind : std::uint8_t { angle_angle, angle_edge, edge_edge };
+
+// A transient pair: vertex `vertex` of block `i` against edge `edge` of block `j` (ids local to the block).
+struct Contact {
+  int i = 0, vertex = 0, j = 0, edge = 0;
+  ContactKind kind = ContactKind::angle_edge;
+  ContactState state = ContactState::open;
+  int property = 0;
+  double length = 0;                  // m, part of the interface it stands for
+  double normal_stiffness = 0, shear_stiffness = 0;  // N/m
+  double gap = 0;                     // m, negative when pressed together
+  double offset = 0;                  // m, overlap at birth that is not counted as pressing
+  double stretch = 0;                 // m, elastic part of the sliding: shear force / shear stiffness
+  double slip = 0;                    // m, plastic part, accumulated along the edge
+  double normal_force = 0, shear_force = 0;  // N; normal positive when pressed together
+  std::int64_t key() const { return (std::int64_t(global_vertex) << 32) | std::uint32_t(global_edge); }
+  int global_vertex = 0, global_edge = 0;  // indices into Model::vertex
+};
+
+struct PointFixity {
+  int fixity = 0;  // index into Scene::fixities
+  int block = 0;
+  Vec2 in_block = Vec2::Zero();  // from the reference centroid
+  double stiffness = 0;          // N/m
+};
+
+struct EdgeFixity {  // an edge bonded to the ground
+  int fixity = 0, block = 0;
+  std::array<Vec2, 2> in_block;
+  Vec2 normal = Vec2::Zero();  // outward, reference
+  double length = 0;
+};
+
+struct PointForce {
+  int load = 0, block = 0;  // index into Scene::point_loads
+  Vec2 in_block = Vec2::Zero();
+  double share = 1;  // where several blocks meet at the point
+};
+
+struct EdgeForce {
+  int load = 0, block = 0;  // index into Scene::edge_loads
+  std::array<Vec2, 2> in_block;
+};
+
+struct ProbePoint {
+  int probe = 0, block = 0;
+  Vec2 in_block = Vec2::Zero();
+};
+
+// A node of the meshes: the corner that several bonded blocks share at the start. For stress recovery.
+struct Nodes {
+  std::vector<Vec2> position;               // reference
+  std::vector<int> region;
+  std::vector<int> begin, blocks, corners;  // CSR: blocks that meet at a node and their local vertex
+};
+
+class Model {
+ public:
+  Scene scene;  // materials, properties, loads' values are read from here, and may be changed between steps
+  Vec2 origin = Vec2::Zero();
+  double extent = 1;  // m, half the height of the scene's box (half the width where it is flat)
+  double time = 0;
+  long revision = 0;  // raised by whoever changes materials or joint properties between steps
+
+  std::vector<BlockShape> shapes;
+  std::vector<BlockState> blocks;
+  std::vector<Vec2> reference_vertex;  // from the reference centroid
+  std::vector<Vec2> vertex;            // now
+  std::vector<Joint> joints;
+  std::vector<Contact> contacts;
+  std::vector<PointFixity> point_fixities;
+  std::vector<EdgeFixity> edge_fixities;
+  std::vector<PointForce> point_forces;
+  std::vector<EdgeForce> edge_forces;
+  std::vector<ProbePoint> probes;
+  Nodes nodes;
+  std::vector<int> held_by;  // per block: index of the fixity that holds it wholly, or -1
+  std::unordered_map<std::int64_t, int> pair_property;  // unbonded interfaces: (a, b) with a < b -> property
+  int dofs = 0;
+
+  int vertex_count(int block) const { return shapes[block].vertex_end - shapes[block].vertex_begin; }
+  int next_vertex(int block, int local) const { return local + 1 == vertex_count(block) ? 0 : local + 1; }
+  const Material& material(int block) const { return scene.materials[shapes[block].material]; }
+
+  // Place of the material point `in_block` (from the reference centroid): c + R (I + e) X.
+  Vec2 place(int block, const Vec2& in_block) const;
+  Vec2 velocity_at(int block, const Vec2& point) const;
+  Vec2 reference_place(int block, const Vec2& in_block) const { return shapes[block].reference_centroid + in_block; }
+  double area(int block) const;       // m2, now
+  double mass(int block) const { return material(block).density * shapes[block].area; }
+  Vec3 stress(int block) const;       // sxx, syy, sxy, global axes, raw (constant in a first-order block)
+  void place_vertices();              // vertex from blocks
+  int contact_property(int a, int b) const;
+};
+
+// Stress–strain matrix (Pa) for (εx, εy, γxy) -> (σx, σy, τ).
+Mat3 elasticity(const Material& material);
+
+// (sxx, syy, sxy) in axes turned by `r`, from the turned axes into the fixed ones.
+Vec3 turn_stress(const Rotation& r, const Vec3& stress);
+
+}  // namespace talus

@@ -1,0 +1,12 @@
+#pragma once
+// Colours of numbers, in steps of even lightness, so that equal differences look equal.
+#include <string>
+
+namespace talus {
+
+enum class ColourMap { sequential, diverging };  // dark blue–green–yellow; blue–white–red, white at 0.5
+
+std::string colour(ColourMap map, double t);  // "#rrggbb" for t in [0, 1]
+bool dark(const std::string& colour);         // too dark for a black line on it
+
+}  // namespace talus

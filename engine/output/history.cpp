@@ -1,0 +1,66 @@
+#include "output/history.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <numeric>
+
+#include "model/fields.h"
+#include "output/text.h"
+
+namespace talus {
+
+namespace {
+
+constexpr std::array probe_columns = {"ux", "uy", "vx", "vy", "sxx", "syy", "sxy"};
+
+std::string header(const Model& model) {
+  std::string line = "time [s],step,dt [s],kinetic_energy [J/m],strain_energy [J/m],closed_contacts,max_residual";
+  for (const ProbePoint& probe : model.probes)
+    for (const char* column : probe_columns) {
+      const Field& field = *find_field(probe_fields(), column);
+      line += "," + csv_cell(model.scene.probes[probe.probe].name + "." + field.name + " [" + field.unit + "]");
+    }
+  for (const auto& [name, value] : model.scene.output.fields)
+    for (const char* what : {".min", ".mean", ".max"}) line += "," + csv_cell(name + what);
+  return line;
+}
+
+}  // namespace
+
+HistoryTable::HistoryTable(const std::string& path, const Model& model)
+    : path_(path), file_(path, std::ios::binary | std::ios::trunc) {
+  write(header(model));
+}
+
+void HistoryTable::write(const std::string& line) {
+  errno = 0;
+  file_ << line << '\n' << std::flush;
+  if (!file_)
+    throw RunError("cannot write " + path_ + ": " + (errno != 0 ? std::strerror(errno) : "unknown reason"));
+}
+
+void HistoryTable::add(Simulation& simulation, double residual, const std::vector<UserArray>& arrays) {
+  const Model& model = simulation.model;
+  const FieldContext context = {model, model.probes.empty() ? nullptr : simulation.recovery()};
+  std::string line = shortest(model.time) + "," + std::to_string(simulation.totals.steps) + "," +
+                     shortest(simulation.last.dt) + "," + shortest(simulation.kinetic_energy()) + "," +
+                     shortest(simulation.strain_energy()) + "," + std::to_string(simulation.last.closed_contacts) +
+                     "," + shortest(residual);
+  for (int probe = 0; probe < static_cast<int>(model.probes.size()); ++probe)
+    for (const char* column : probe_columns) {
+      double value = 0;
+      find_field(probe_fields(), column)->get(context, probe, &value);
+      line += "," + shortest(value);
+    }
+  for (const UserArray& array : arrays) {
+    const auto [least, most] = std::minmax_element(array.values.begin(), array.values.end());
+    const double sum = std::accumulate(array.values.begin(), array.values.end(), 0.0);
+    line += "," + shortest(*least) + "," + shortest(sum / static_cast<double>(array.values.size())) + "," +
+            shortest(*most);
+  }
+  write(line);
+}
+
+}  // namespace talus

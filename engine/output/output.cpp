@@ -1,0 +1,141 @@
+#include "output/output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "output/clock.h"
+#include "output/files.h"
+#include "output/history.h"
+#include "output/picture_field.h"
+#include "output/pvd.h"
+#include "output/report.h"
+#include "output/user_arrays.h"
+#include "output/vtk_writer.h"
+#include "step/part_timer.h"
+
+namespace talus {
+
+struct RunOutput::Parts {
+  std::string dir, command_line;
+  double started = wall_seconds();
+  std::optional<PvdSeries> blocks, joints;
+  std::optional<HistoryTable> history;
+  int frames = 0;
+  long frame_step = -1, row_step = -1;  // step of the last frame and of the last row of the history
+  double next = 0;                      // s, output time that is due next
+  double residual = 0;                  // largest since the last row
+
+  void add_row(Simulation& simulation, const std::vector<UserArray>& arrays);
+  void write_frame(Simulation& simulation);
+};
+
+void RunOutput::Parts::add_row(Simulation& simulation, const std::vector<UserArray>& arrays) {
+  if (row_step == simulation.totals.steps) return;
+  history->add(simulation, residual, arrays);
+  row_step = simulation.totals.steps;
+  residual = 0;
+}
+
+void RunOutput::Parts::write_frame(Simulation& simulation) {
+  if (frame_step == simulation.totals.steps) return;
+  const Model& model = simulation.model;
+  const Output& output = model.scene.output;
+  const std::vector<UserArray> arrays = user_arrays(model);
+  FieldContext context = {model, simulation.recovery()};
+  std::vector<Vec3> smoothed;  // the dearest part of a frame: once for all that is written
+  if (blocks && context.recovery) context.smoothed = &(smoothed = smoothed_stresses(context));
+  if (blocks) {
+    const std::string name = frame_name("blocks", frames, ".vtp");
+    write_blocks_vtp(dir + "/" + name, context, arrays);
+    blocks->add(model.time, name);
+  }
+  if (joints) {
+    const std::string name = frame_name("joints", frames, ".vtp");
+    write_joints_vtp(dir + "/" + name, model);
+    joints->add(model.time, name);
+  }
+  if (output.picture) {
+    const std::string svg = draw_picture(context, {.field = output.picture_field, .scale = output.picture_scale});
+    write_whole(dir + "/" + frame_name("picture", frames, ".svg"), svg);
+  }
+  add_row(simulation, arrays);
+  ++frames;
+  frame_step = simulation.totals.steps;
+}
+
+namespace {
+
+// CPU seconds spent in a scope, booked as the run's part "output"; the recovery keeps its own account.
+class Booked {
+ public:
+  explicit Booked(RunTotals& totals) : totals_(totals), started_(own_seconds()) {}
+  ~Booked() { totals_.seconds("output") += own_seconds() - started_; }
+
+ private:
+  double own_seconds() const {
+    double seconds = cpu_seconds();
+    for (const RunTotals::Part& part : totals_.parts)
+      if (part.name == "stress recovery") seconds -= part.seconds;
+    return seconds;
+  }
+  RunTotals& totals_;
+  double started_;
+};
+
+}  // namespace
+
+RunOutput::RunOutput(Simulation& simulation, const std::string& command_line) {
+  const Scene& scene = simulation.model.scene;
+  if (scene.output.dir.empty()) return;
+  if (scene.output.picture) check_picture_field(scene, scene.output.picture_field);
+  prepare_directory(scene.output);
+  parts_ = std::make_unique<Parts>();
+  parts_->dir = scene.output.dir;
+  parts_->command_line = command_line;
+  parts_->history.emplace(parts_->dir + "/history.csv", simulation.model);
+  if (!scene.output.vtk) return;
+  parts_->blocks.emplace(parts_->dir, "blocks");
+  if (simulation.plan.bonds || simulation.plan.contacts) parts_->joints.emplace(parts_->dir, "joints");
+}
+
+RunOutput::~RunOutput() = default;
+
+void RunOutput::after_step(Simulation& simulation) {
+  if (!parts_) return;
+  const Booked booked(simulation.totals);
+  const Scene& scene = simulation.model.scene;
+  const double every = scene.output.every, time = simulation.model.time;
+  const bool first = parts_->frame_step < 0;
+  if (!first) parts_->residual = std::max(parts_->residual, simulation.last.residual);
+  // A step that ends at 0.3 may find itself at 0.29999999999999999.
+  const double slack = 1e-9 * every;
+  if (first || (every > 0 && time >= parts_->next - slack)) {
+    parts_->write_frame(simulation);
+    if (every > 0) parts_->next = every * (std::floor((time + slack) / every) + 1);
+  } else if (scene.time.mode == Mode::static_) {
+    parts_->add_row(simulation, user_arrays(simulation.model));
+  }
+}
+
+void RunOutput::frame(Simulation& simulation) {
+  if (!parts_) return;
+  const Booked booked(simulation.totals);
+  parts_->write_frame(simulation);
+}
+
+void RunOutput::finish(Simulation& simulation, const std::string& outcome, const std::vector<CheckLine>& checks) {
+  if (!parts_) return;
+  {
+    const Booked booked(simulation.totals);
+    parts_->write_frame(simulation);
+  }
+  const RunAccount account = {.command_line = parts_->command_line,
+                              .outcome = outcome,
+                              .wall_seconds = wall_seconds() - parts_->started,
+                              .cpu_seconds = cpu_seconds(),
+                              .checks = checks};
+  write_whole(parts_->dir + "/run.json", run_report(simulation, account));
+}
+
+}  // namespace talus

@@ -1,0 +1,54 @@
+#pragma once
+// Everything a run writes: <dir>/blocks.pvd and joints.pvd with a .vtp each per output time, history.csv,
+// picture_<n>.svg, run.json. Files are written whole under a temporary name and renamed, so a reader never
+// sees half of one.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/fields.h"
+#include "step/simulation.h"
+
+namespace talus {
+
+// Creates the directory. Throws InputError when it cannot be written.
+class RunOutput {
+ public:
+  RunOutput(Simulation& simulation, const std::string& command_line);
+  ~RunOutput();
+
+  void after_step(Simulation& simulation);  // writes what is due at model.time; also called before the first step
+  void frame(Simulation& simulation);       // one output time now (sim:output())
+  // Last frame, run.json with `outcome` ("finished", "stopped", or the error's text) and checks.
+  void finish(Simulation& simulation, const std::string& outcome, const std::vector<CheckLine>& checks);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+// One picture of the blocks coloured by a field of block_fields(), with a colour bar, as an SVG file.
+struct PictureOptions {
+  std::string field = "s1";
+  double scale = 0;  // displacement magnification; 0: 1
+  int width = 1200;  // px
+  bool edges = true;
+};
+std::string draw_picture(const FieldContext& context, const PictureOptions& options);
+
+// A line of progress on a terminal (rewritten in place), plain lines every few seconds otherwise.
+class Progress {
+ public:
+  explicit Progress(bool terminal);
+  void after_step(const Simulation& simulation);
+  void done(const Simulation& simulation);
+
+ private:
+  bool terminal_;
+  double started_, last_ = 0;
+};
+
+// Writes `content` to `path` under a temporary name, then renames. Throws RunError naming path and reason.
+void write_whole(const std::string& path, const std::string& content);
+
+}  // namespace talus

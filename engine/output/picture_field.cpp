@@ -1,0 +1,67 @@
+#include "output/picture_field.h"
+
+#include <cmath>
+
+#include "scene/error.h"
+#include "script/nearest.h"
+
+namespace talus {
+
+namespace {
+
+const std::function<double(int)>* user_field(const Scene& scene, const std::string& name) {
+  for (const auto& [known, function] : scene.output.fields)
+    if (known == name) return &function;
+  return nullptr;
+}
+
+bool drawable(const Field& field) {
+  return field.components <= 2;
+}
+
+// Fields that differ from block to block however it is held keep their colour.
+bool says_something_of_held(const Field& field) {
+  return field.whole || field.name == "area" || field.name == "density" || field.name == "mass";
+}
+
+}  // namespace
+
+void check_picture_field(const Scene& scene, const std::string& name) {
+  const Field* field = find_field(block_fields(), name);
+  if ((field && drawable(*field)) || user_field(scene, name)) return;
+  std::vector<std::string> known;
+  for (const Field& each : block_fields())
+    if (drawable(each)) known.push_back(each.name);
+  for (const auto& [each, function] : scene.output.fields) known.push_back(each);
+  throw InputError(scene.output.place, "output.picture_field",
+                   "a field of the blocks that is one number or a vector",
+                   "\"" + name + "\"" + suggestion(name, known));
+}
+
+PictureField picture_field(const FieldContext& context, const std::string& name) {
+  const Model& model = context.model;
+  check_picture_field(model.scene, name);
+  const Field* field = find_field(block_fields(), name);
+  const auto* user = field ? nullptr : user_field(model.scene, name);
+  PictureField out;
+  out.symbol = field && !field->symbol.empty() ? field->symbol : name;
+  out.subscripts = field && !field->symbol.empty();
+  out.unit = field ? field->unit : "";
+  out.meaning = field ? field->meaning : name;
+  out.whole = field && field->whole;
+  const bool held_too = !field || says_something_of_held(*field);
+  for (int b = 0; b < static_cast<int>(model.shapes.size()); ++b) {
+    double value[3] = {0, 0, 0};
+    out.grey.push_back(model.shapes[b].dofs == 0 && !held_too);
+    if (user) {
+      value[0] = (*user)(b);
+    } else if (!out.grey.back()) {
+      field->get(context, b, value);
+    }
+    out.values.push_back(field && field->components == 2 ? std::hypot(value[0], value[1]) : value[0]);
+    if (!out.grey.back()) out.coloured.push_back(out.values.back());
+  }
+  return out;
+}
+
+}  // namespace talus

@@ -1,0 +1,41 @@
+#pragma once
+// What is drawn on top of the blocks: failed joints, fixities, loads.
+#include <vector>
+
+#include "model/model.h"
+#include "output/axis.h"
+#include "output/svg.h"
+
+namespace talus {
+
+// The model as drawn: displacements magnified, user coordinates (m).
+class Placement {
+ public:
+  Placement(const Model& model, double magnification);
+  Vec2 place(int block, const Vec2& in_block) const;
+  const std::vector<Vec2>& vertices() const { return vertices_; }
+  const Model& model() const { return model_; }
+
+ private:
+  const Model& model_;
+  double magnification_;
+  std::vector<Vec2> vertices_;
+};
+
+struct Arrow {
+  Vec2 at = Vec2::Zero();         // the loaded point, m
+  Vec2 direction = Vec2::Zero();  // unit, of the force
+  double length = 0;              // px
+  bool tip_at_point = true;       // false: the arrow leaves the point (a pull on a face)
+  std::string text;               // "5 kN/m"
+};
+// Loads that are not zero at model.time; of many side by side on a long face only some.
+std::vector<Arrow> load_arrows(const Placement& placement, double px_per_metre);
+Vec2 far_end(const Arrow& arrow);  // px from the loaded point, y down
+
+int failed_joints(const Model& model);
+void draw_failed_joints(Svg& svg, const Frame& frame, const Placement& placement);
+void draw_fixities(Svg& svg, const Frame& frame, const Placement& placement);
+void draw_arrows(Svg& svg, const Frame& frame, const std::vector<Arrow>& arrows);
+
+}  // namespace talus

@@ -1,0 +1,73 @@
+#include "output/progress.h"
+
+#include <cmath>
+#include <iostream>
+
+#include "output/clock.h"
+#include "output/output.h"
+#include "output/text.h"
+#include "step/part_timer.h"
+
+namespace talus {
+
+namespace {
+
+constexpr double quiet = 1;                               // s of a run without any progress line
+constexpr double terminal_every = 0.1, plain_every = 10;  // s between lines
+constexpr const char* clear_line = "\r\x1b[K";
+
+std::string duration(double seconds) {
+  if (seconds < 90) return fixed(std::ceil(seconds), 0) + " s";
+  if (seconds < 5400) return fixed(seconds / 60, 0) + " min";
+  return fixed(seconds / 3600, 1) + " h";
+}
+
+std::string scientific(double value) {
+  if (!(value > 0)) return "0";
+  const double power = std::floor(std::log10(value));
+  const std::string digits = std::to_string(static_cast<int>(std::abs(power)));
+  return fixed(value / std::pow(10, power), 1) + "e" + (power < 0 ? "-" : "+") + (digits.size() < 2 ? "0" : "") +
+         digits;
+}
+
+}  // namespace
+
+std::string progress_line(const StepReport& step, double t_end, double running) {
+  const double done = t_end > 0 ? step.time / t_end : 0;
+  std::string line = "t " + significant(step.time, 4) + " s";
+  if (t_end > 0) line += " (" + fixed(std::floor(100 * done), 0) + " %)";
+  line += "  step " + std::to_string(step.step) + "  dt " + scientific(step.dt) + " s  it " +
+          std::to_string(step.iterations) + "  contacts " + std::to_string(step.closed_contacts);
+  if (done > 0 && done < 1) line += "  ETA " + duration(running * (1 - done) / done);
+  return line;
+}
+
+std::string done_line(long steps, long blocks, double cpu) {
+  const auto count = [](long n, const std::string& thing) {
+    return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
+  };
+  return "done: " + count(steps, "step") + ", " + count(blocks, "block") + ", " + fixed(cpu, cpu < 10 ? 2 : 0) +
+         " s CPU";
+}
+
+Progress::Progress(bool terminal) : terminal_(terminal), started_(wall_seconds()) {}
+
+void Progress::after_step(const Simulation& simulation) {
+  const double running = wall_seconds() - started_;
+  // The first line comes when the run has proved not to be a short one.
+  const double due = last_ > 0   ? last_ + (terminal_ ? terminal_every : plain_every)
+                     : terminal_ ? quiet
+                                 : plain_every;
+  if (running < due) return;
+  last_ = running;
+  const std::string line = progress_line(simulation.last, simulation.model.scene.time.t_end, running);
+  std::cerr << (terminal_ ? clear_line : "") << line << (terminal_ ? "" : "\n") << std::flush;
+}
+
+void Progress::done(const Simulation& simulation) {
+  if (terminal_ && last_ > 0) std::cerr << clear_line;
+  std::cerr << done_line(simulation.totals.steps, static_cast<long>(simulation.model.shapes.size()), cpu_seconds())
+            << std::endl;
+}
+
+}  // namespace talus

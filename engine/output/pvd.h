@@ -1,0 +1,21 @@
+#pragma once
+// A ParaView collection: which file shows which time. Rewritten whole at each frame, so that a running series
+// can be opened.
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace talus {
+
+class PvdSeries {
+ public:
+  PvdSeries(std::string dir, std::string name) : dir_(std::move(dir)), name_(std::move(name)) {}
+  // Takes up <dir>/<file>, which must be there already, and rewrites <dir>/<name>.pvd.
+  void add(double time, const std::string& file);
+
+ private:
+  std::string dir_, name_;
+  std::vector<std::pair<double, std::string>> frames_;
+};
+
+}  // namespace talus

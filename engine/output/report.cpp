@@ -1,0 +1,67 @@
+#include "output/report.h"
+
+#include "output/json.h"
+#include "output/versions.h"
+
+namespace talus {
+
+namespace {
+
+void add_versions(Json& json) {
+  const Versions known = versions();
+  json.text("talus", known.talus).text("commit", known.commit);
+  json.object("libraries").text("eigen", known.eigen).text("cgal", known.cgal).text("vtk", known.vtk);
+  json.text("suitesparse", known.suitesparse).end();
+}
+
+void add_plan(Json& json, const Plan& plan) {
+  json.array("plan");
+  for (const auto& [part, what] : plan.lines) json.text(part + ": " + what);
+  json.end();
+}
+
+void add_sizes(Json& json, const Model& model) {
+  json.object("sizes").whole("blocks", static_cast<long>(model.shapes.size())).whole("unknowns", model.dofs);
+  json.whole("joints", static_cast<long>(model.joints.size()));
+  json.whole("contacts", static_cast<long>(model.contacts.size())).end();
+}
+
+void add_totals(Json& json, const RunTotals& totals) {
+  json.whole("steps", totals.steps).whole("iterations", totals.iterations);
+  json.whole("largest_iterations", totals.largest_iterations).whole("step_cuts", totals.cuts);
+  json.whole("factorisations", totals.factorisations).number("largest_residual", totals.largest_residual);
+}
+
+void add_seconds(Json& json, const RunTotals& totals, const RunAccount& account) {
+  json.object("cpu_seconds");
+  for (const RunTotals::Part& part : totals.parts) json.number(part.name, part.seconds);
+  json.number("total", account.cpu_seconds).end().number("wall_seconds", account.wall_seconds);
+}
+
+void add_checks(Json& json, const std::vector<CheckLine>& checks) {
+  json.array("checks");
+  for (const CheckLine& check : checks) {
+    json.object().text("name", check.name).text("value", check.value).text("expected", check.expected);
+    json.truth("pass", check.pass).end();
+  }
+  json.end();
+}
+
+}  // namespace
+
+std::string run_report(const Simulation& simulation, const RunAccount& account) {
+  Json json;
+  json.object();
+  add_versions(json);
+  json.text("title", simulation.model.scene.title).text("scene", simulation.model.scene.file);
+  json.text("command_line", account.command_line).text("outcome", account.outcome);
+  json.number("end_time", simulation.model.time);
+  add_plan(json, simulation.plan);
+  add_sizes(json, simulation.model);
+  add_totals(json, simulation.totals);
+  add_seconds(json, simulation.totals, account);
+  add_checks(json, account.checks);
+  return json.end().file();
+}
+
+}  // namespace talus

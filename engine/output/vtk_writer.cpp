@@ -1,0 +1,239 @@
+#include "output/vtk_writer.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkVersionMacros.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <algorithm>
+#include <array>
+
+#include "output/files.h"
+#include "scene/error.h"
+
+namespace talus {
+
+namespace {
+
+constexpr std::array block_arrays = {"id",       "region",   "material", "order",  "fixed",        "displacement",
+                                     "velocity", "rotation", "spin",     "strain", "sxx",          "syy",
+                                     "sxy",      "szz",      "s1",       "s2",     "s1_direction", "mises"};
+
+constexpr std::array smoothed_arrays = {"sxx_smooth", "syy_smooth", "sxy_smooth", "s1_smooth", "s2_smooth"};
+
+// One value, or one vector (padded to three components: ParaView takes others for no vectors), an item.
+template <class Array, class Value>
+void add_array(vtkFieldData* data, const std::string& name, int components, vtkIdType items, Value value) {
+  vtkNew<Array> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components == 1 ? 1 : 3);
+  array->SetNumberOfTuples(items);
+  for (vtkIdType i = 0; i < items; ++i) {
+    double tuple[3] = {0, 0, 0};
+    value(static_cast<int>(i), tuple);
+    array->SetTuple(i, tuple);
+  }
+  data->AddArray(array);
+}
+
+void add_field(vtkFieldData* data, const FieldContext& context, const Field& field, vtkIdType items) {
+  const auto value = [&](int id, double* out) { field.get(context, id, out); };
+  if (field.whole) {
+    add_array<vtkIntArray>(data, field.name, 1, items, value);
+  } else {
+    add_array<vtkDoubleArray>(data, field.name, field.components, items, value);
+  }
+}
+
+void add_names(vtkFieldData* data, const std::string& name, const std::vector<std::string>& values) {
+  vtkNew<vtkStringArray> array;
+  array->SetName(name.c_str());
+  for (const std::string& value : values) array->InsertNextValue(value);
+  data->AddArray(array);
+}
+
+template <class Item>
+std::vector<std::string> names_of(const std::vector<Item>& items) {
+  std::vector<std::string> names;
+  for (const Item& item : items) names.push_back(item.name);
+  return names;
+}
+
+// "TimeValue" is what VTK's readers take for the time of a file.
+void add_time(vtkFieldData* data, double time) {
+  add_array<vtkDoubleArray>(data, "TimeValue", 1, 1, [&](int, double* out) { *out = time; });
+}
+
+void write(const std::string& path, vtkPolyData* data) {
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToLZ4();
+  writer->WriteToOutputStringOn();
+  if (writer->Write() != 1) throw RunError("cannot write " + path + ": VTK's writer failed");
+  write_whole(path, writer->GetOutputString());
+}
+
+void add_polygons(vtkPolyData* data, const Model& model) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(model.vertex.size()));
+  vtkNew<vtkCellArray> polygons;
+  for (const BlockShape& shape : model.shapes) {
+    polygons->InsertNextCell(shape.vertex_end - shape.vertex_begin);
+    for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) {
+      const Vec2 p = model.vertex[v] + model.origin;
+      points->SetPoint(v, p.x(), p.y(), 0);
+      polygons->InsertCellPoint(v);
+    }
+  }
+  data->SetPoints(points);
+  data->SetPolys(polygons);
+}
+
+// Of the corners, for "warp by vector".
+void add_point_displacement(vtkPolyData* data, const Model& model) {
+  std::vector<Vec2> moved(model.vertex.size());
+  for (const BlockShape& shape : model.shapes)
+    for (int v = shape.vertex_begin; v < shape.vertex_end; ++v)
+      moved[v] = model.vertex[v] - shape.reference_centroid - model.reference_vertex[v];
+  add_array<vtkDoubleArray>(data->GetPointData(), "displacement", 2, static_cast<vtkIdType>(moved.size()),
+                            [&](int v, double* out) { std::copy_n(moved[v].data(), 2, out); });
+}
+
+struct Line {
+  Vec2 from, to;
+  int kind, state, property;  // 0 joint, 1 contact; index into line_states
+  double normal, shear;       // Pa, tension positive
+  double opening, slip;       // m
+};
+const std::vector<std::string> line_kinds = {"joint", "contact"};
+const std::vector<std::string> line_states = {"intact", "failed", "open", "stick", "slip"};
+constexpr int first_contact_state = 2;
+
+double value_of(const FieldContext& context, std::span<const Field> fields, const char* name, int id) {
+  double value = 0;
+  find_field(fields, name)->get(context, id, &value);
+  return value;
+}
+
+Line joint_line(const FieldContext& context, int id) {
+  const Model& model = context.model;
+  const Joint& joint = model.joints[id];
+  const auto end = [&](int k) -> Vec2 {
+    return (model.place(joint.a, joint.in_a[k]) + model.place(joint.b, joint.in_b[k])) / 2;
+  };
+  const auto value = [&](const char* name) { return value_of(context, joint_fields(), name, id); };
+  return {end(0),
+          end(1),
+          0,
+          static_cast<int>(joint.state),
+          joint.property,
+          value("normal_traction"),
+          value("shear_traction"),
+          value("opening"),
+          value("slip")};
+}
+
+Line contact_line(const FieldContext& context, int id) {
+  constexpr double least_share = 0.02;  // of the edge, so that a contact without length is seen too
+  const Model& model = context.model;
+  const Contact& contact = model.contacts[id];
+  const Vec2 from = model.vertex[contact.global_edge];
+  const Vec2 edge =
+      model.vertex[model.shapes[contact.j].vertex_begin + model.next_vertex(contact.j, contact.edge)] - from;
+  const double foot =
+      std::clamp((model.vertex[contact.global_vertex] - from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+  const double half = std::max(contact.length / edge.norm(), least_share) / 2;
+  const auto value = [&](const char* name) { return value_of(context, contact_fields(), name, id); };
+  return {from + std::max(0.0, foot - half) * edge,
+          from + std::min(1.0, foot + half) * edge,
+          1,
+          first_contact_state + static_cast<int>(contact.state),
+          contact.property,
+          value("normal_traction"),
+          value("shear_traction"),
+          contact.gap,
+          contact.slip};
+}
+
+void add_lines(vtkPolyData* data, const std::vector<Line>& lines, const Vec2& origin) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (const Line& line : lines) {
+    cells->InsertNextCell(2);
+    for (const Vec2& end : {line.from, line.to})
+      cells->InsertCellPoint(points->InsertNextPoint(end.x() + origin.x(), end.y() + origin.y(), 0));
+  }
+  data->SetPoints(points);
+  data->SetLines(cells);
+}
+
+template <class Array, class Member>
+void add_member(vtkPolyData* data, const std::string& name, const std::vector<Line>& lines, Member member) {
+  add_array<Array>(data->GetCellData(), name, 1, static_cast<vtkIdType>(lines.size()),
+                   [&](int i, double* out) { *out = lines[i].*member; });
+}
+
+}  // namespace
+
+void write_blocks_vtp(const std::string& path, const FieldContext& context, const std::vector<UserArray>& arrays) {
+  const Model& model = context.model;
+  const auto blocks = static_cast<vtkIdType>(model.shapes.size());
+  vtkNew<vtkPolyData> data;
+  add_polygons(data, model);
+  add_point_displacement(data, model);
+  vtkCellData* cells = data->GetCellData();
+  for (const char* name : block_arrays) add_field(cells, context, *find_field(block_fields(), name), blocks);
+  const char* components[] = {"xx", "yy", "xy"};
+  for (int k = 0; k < 3; ++k) cells->GetArray("strain")->SetComponentName(k, components[k]);
+  if (context.recovery) {
+    const std::vector<Vec3> smoothed = context.smoothed ? *context.smoothed : smoothed_stresses(context);
+    for (const char* name : smoothed_arrays)
+      add_field(cells, {model, context.recovery, &smoothed}, *find_field(block_fields(), name), blocks);
+  }
+  for (const UserArray& array : arrays)
+    add_array<vtkDoubleArray>(cells, array.name, 1, blocks, [&](int b, double* out) { *out = array.values[b]; });
+  add_names(data->GetFieldData(), "region_names", names_of(model.scene.regions));
+  add_names(data->GetFieldData(), "material_names", names_of(model.scene.materials));
+  add_time(data->GetFieldData(), model.time);
+  write(path, data);
+}
+
+void write_joints_vtp(const std::string& path, const Model& model) {
+  const FieldContext context = {model, nullptr};
+  std::vector<Line> lines;
+  for (int id = 0; id < static_cast<int>(model.joints.size()); ++id) lines.push_back(joint_line(context, id));
+  for (int id = 0; id < static_cast<int>(model.contacts.size()); ++id) lines.push_back(contact_line(context, id));
+  vtkNew<vtkPolyData> data;
+  add_lines(data, lines, model.origin);
+  add_member<vtkIntArray>(data, "kind", lines, &Line::kind);
+  add_member<vtkIntArray>(data, "state", lines, &Line::state);
+  add_member<vtkIntArray>(data, "property", lines, &Line::property);
+  add_member<vtkDoubleArray>(data, "normal_traction", lines, &Line::normal);
+  add_member<vtkDoubleArray>(data, "shear_traction", lines, &Line::shear);
+  add_member<vtkDoubleArray>(data, "opening", lines, &Line::opening);
+  add_member<vtkDoubleArray>(data, "slip", lines, &Line::slip);
+  add_names(data->GetFieldData(), "kind_names", line_kinds);
+  add_names(data->GetFieldData(), "state_names", line_states);
+  add_names(data->GetFieldData(), "property_names", names_of(model.scene.properties));
+  add_time(data->GetFieldData(), model.time);
+  write(path, data);
+}
+
+std::string vtk_version() {
+  return VTK_VERSION;
+}
+
+}  // namespace talus

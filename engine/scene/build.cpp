@@ -1,0 +1,100 @@
+#include "scene/build.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "scene/build_parts.h"
+
+namespace talus {
+
+namespace {
+
+struct Box {
+  Vec2 low, high;
+};
+
+Box scene_box(const Scene& scene) {
+  Box box{scene.regions[0].outlines[0][0], scene.regions[0].outlines[0][0]};
+  for (const Region& region : scene.regions)
+    for (const Polyline& outline : region.outlines)
+      for (const Vec2& p : outline) {
+        box.low = box.low.cwiseMin(p);
+        box.high = box.high.cwiseMax(p);
+      }
+  return box;
+}
+
+// Everything geometric moves to the model's origin, so that a scene 10 km away keeps its digits.
+void shift(Scene& scene, const Vec2& origin) {
+  const auto move = [&origin](Polyline& line) {
+    for (Vec2& p : line) p -= origin;
+  };
+  for (Region& region : scene.regions) {
+    for (Polyline& outline : region.outlines) move(outline);
+    for (Hole& hole : region.holes) move(hole.outline);
+    for (Trace& trace : region.traces) move(trace.points);
+    for (JointSet& set : region.joint_sets)
+      if (set.through) *set.through -= origin;
+    if (region.mesh.size_at)
+      region.mesh.size_at = [inner = region.mesh.size_at, origin](Vec2 p) { return inner(p + origin); };
+  }
+  const auto move_on = [&origin](On& on) {
+    on.from -= origin;
+    on.to -= origin;
+  };
+  for (Fixity& fixity : scene.fixities) move_on(fixity.on);
+  for (EdgeLoad& load : scene.edge_loads) move_on(load.on);
+  for (PointLoad& load : scene.point_loads) load.at -= origin;
+  for (Probe& probe : scene.probes) probe.at -= origin;
+}
+
+// Regions that name no contact property touch with a friction angle of 30°, a usual value for clean rock joints.
+void default_contact(Scene& scene) {
+  if (scene.contact >= 0) return;
+  JointProperty property;
+  property.name = "default contact";
+  property.friction = std::numbers::pi / 6;
+  scene.properties.push_back(property);
+  scene.contact = int(scene.properties.size()) - 1;
+}
+
+void number_unknowns(Model& model) {
+  model.dofs = 0;
+  for (BlockShape& shape : model.shapes) {
+    shape.dof_begin = model.dofs;
+    model.dofs += shape.dofs;
+  }
+}
+
+// The flux of a bond is taken from the softer side more than from the stiffer: w_a = E_b / (E_a + E_b);
+// a rigid block has no stress, so its share is 0.
+void share_fluxes(Model& model) {
+  for (Joint& joint : model.joints) {
+    const bool soft_a = model.shapes[joint.a].dofs > 3, soft_b = model.shapes[joint.b].dofs > 3;
+    const double young_a = model.material(joint.a).young, young_b = model.material(joint.b).young;
+    joint.weight_a = !soft_a ? 0 : !soft_b ? 1 : young_b / (young_a + young_b);
+    joint.weight_b = !soft_b ? 0 : 1 - joint.weight_a;
+  }
+}
+
+}  // namespace
+
+Model build(Scene scene) {
+  check_regions(scene);
+  default_contact(scene);
+  Model model;
+  const Box box = scene_box(scene);
+  const Vec2 centre = (box.low + box.high) / 2, size = box.high - box.low;
+  if (centre.norm() > 10 * size.norm()) model.origin = centre;  // else the user's own coordinates
+  model.extent = size.minCoeff() > 1e-3 * size.maxCoeff() ? size.y() / 2 : size.maxCoeff() / 2;
+  shift(scene, model.origin);
+  model.scene = std::move(scene);
+  const std::vector<FreeEdge> edges = build_blocks(model);
+  attach(model, edges);
+  number_unknowns(model);
+  share_fluxes(model);
+  model.place_vertices();
+  return model;
+}
+
+}  // namespace talus

@@ -1,0 +1,227 @@
+// Regions -> tessellations -> blocks, joints and mesh nodes.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "geometry/joint_set.h"
+#include "geometry/polygon.h"
+#include "scene/build_parts.h"
+
+namespace talus {
+
+namespace {
+
+struct Cuts {
+  TessellationInput input;
+  std::vector<int> property;  // per trace
+  std::vector<bool> bonded;
+};
+
+Cuts cuts_of(const Region& region) {
+  Cuts cuts;
+  cuts.input.outline = region.outlines[0];
+  for (const Hole& hole : region.holes) cuts.input.holes.push_back(hole.outline);
+  const auto add = [&](const Polyline& line, int property, bool bonded) {
+    cuts.input.traces.push_back(line);
+    cuts.property.push_back(property);
+    cuts.bonded.push_back(bonded);
+  };
+  for (const Trace& trace : region.traces) add(trace.points, trace.property, trace.bonded);
+  Vec2 low = region.outlines[0][0], high = low;
+  for (const Vec2& p : region.outlines[0]) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  for (const JointSet& set : region.joint_sets)
+    for (const Polyline& line : joint_lines(set, low, high)) add(line, set.property, set.bonded);
+  return cuts;
+}
+
+// Rectangles of a pattern from the wanted size: as square as the sides allow.
+std::pair<int, int> pattern_counts(const Polyline& outline, const Mesh& mesh) {
+  if (mesh.nx > 0 && mesh.ny > 0) return {mesh.nx, mesh.ny};
+  const auto count = [&](double side) { return std::max(1.0, std::round(side / mesh.size)); };
+  const double nx = count((outline[1] - outline[0]).norm()), ny = count((outline[2] - outline[1]).norm());
+  if (nx * ny > 1e9) throw std::length_error(std::to_string(nx * ny) + " rectangles");
+  return {int(nx), int(ny)};
+}
+
+Tessellation tessellate(const Region& region, const Cuts& cuts, long most) {
+  const Mesh& mesh = region.mesh;
+  if (mesh.kind == MeshKind::none) return cut(cuts.input);
+  if (mesh.kind == MeshKind::triangles) {
+    const auto uniform = [&mesh](Vec2) { return mesh.size; };
+    return talus::mesh(cuts.input, mesh.size_at ? mesh.size_at : uniform, most);
+  }
+  if (!region.holes.empty() || !cuts.input.traces.empty())
+    throw std::invalid_argument("a pattern takes neither holes nor cuts: use kind = \"triangles\"");
+  const auto [nx, ny] = pattern_counts(region.outlines[0], mesh);
+  const long cells = long(nx) * ny * (mesh.kind == MeshKind::cross ? 4 : 2);
+  if (cells > most) throw std::length_error(std::to_string(cells) + " triangles");
+  return pattern(region.outlines[0],
+                 mesh.kind == MeshKind::cross      ? Pattern::cross
+                 : mesh.kind == MeshKind::diagonal ? Pattern::diagonal
+                                                   : Pattern::alternating,
+                 nx, ny);
+}
+
+int add_block(Model& model, int region_id, const Polyline& outline) {
+  const Region& region = model.scene.regions[region_id];
+  const PolygonIntegrals integrals = integrate(outline);
+  BlockShape shape;
+  shape.dofs = region.held ? 0 : region.order == BlockOrder::rigid ? 3 : 6;
+  shape.vertex_begin = int(model.reference_vertex.size());
+  shape.region = region_id;
+  shape.material = region.material;
+  shape.area = integrals.area;
+  shape.length = std::sqrt(integrals.area);
+  shape.xx = integrals.xx;
+  shape.yy = integrals.yy;
+  shape.xy = integrals.xy;
+  shape.reference_centroid = integrals.centroid;
+  for (const Vec2& p : outline) {
+    model.reference_vertex.push_back(p - integrals.centroid);
+    shape.radius = std::max(shape.radius, model.reference_vertex.back().norm());
+  }
+  shape.vertex_end = int(model.reference_vertex.size());
+  if (region.stress) {
+    const Vec2 user = integrals.centroid + model.origin;
+    shape.initial_stress =
+        region.stress->value + region.stress->gradient_x * user.x() + region.stress->gradient_y * user.y();
+  }
+  BlockState state;
+  state.centroid = integrals.centroid;
+  model.shapes.push_back(shape);
+  model.blocks.push_back(state);
+  return int(model.shapes.size()) - 1;
+}
+
+// The local edge of a cell that starts at point `p`.
+int edge_from(const std::vector<int>& cell, int p) { return int(std::find(cell.begin(), cell.end(), p) - cell.begin()); }
+
+void add_joint(Model& model, int first, const Tessellation& t, const Tessellation::Interface& face, int property) {
+  const int a = first + face.a, b = first + face.b;
+  const Vec2 p = t.points[face.p], q = t.points[face.q];
+  Joint joint;
+  joint.edge_a = edge_from(t.cells[face.a], face.p);
+  joint.edge_b = edge_from(t.cells[face.b], face.q);
+  joint.a = a;
+  joint.b = b;
+  joint.property = property;
+  joint.trace = face.trace;
+  joint.kind = model.scene.properties[property].bond;
+  joint.length = (q - p).norm();
+  joint.normal = -perp(q - p) / joint.length;
+  const Vec2 centroid_a = model.shapes[a].reference_centroid, centroid_b = model.shapes[b].reference_centroid;
+  joint.in_a = {p - centroid_a, q - centroid_a};
+  joint.in_b = {p - centroid_b, q - centroid_b};
+  const bool gauss = joint.kind == BondKind::exact;  // the jump is linear along the edge: 2 points are exact
+  const double reach = gauss ? std::sqrt(3.0) / 6 : 0.5;
+  joint.points[0].at = 0.5 - reach;
+  joint.points[1].at = 0.5 + reach;
+  for (JointPoint& point : joint.points) point.weight = joint.length / 2;
+  model.joints.push_back(joint);
+}
+
+// Nodes are the tessellation's points; a point where an unbonded trace passes serves both sides, and the
+// recovery separates them by the joints' connectivity.
+void add_nodes(Model& model, int region, const Tessellation& t, int first_block) {
+  std::vector<std::vector<std::pair<int, int>>> corners(t.points.size());
+  for (size_t c = 0; c < t.cells.size(); ++c)
+    for (size_t v = 0; v < t.cells[c].size(); ++v) corners[t.cells[c][v]].push_back({first_block + int(c), int(v)});
+  Nodes& nodes = model.nodes;
+  if (nodes.begin.empty()) nodes.begin.push_back(0);
+  for (size_t p = 0; p < t.points.size(); ++p) {
+    if (corners[p].empty()) continue;
+    nodes.position.push_back(t.points[p]);
+    nodes.region.push_back(region);
+    for (const auto& [block, corner] : corners[p]) {
+      nodes.blocks.push_back(block);
+      nodes.corners.push_back(corner);
+    }
+    nodes.begin.push_back(int(nodes.blocks.size()));
+  }
+}
+
+void add_tessellation(Model& model, int region_id, const Tessellation& t, const Cuts& cuts,
+                      std::vector<FreeEdge>& edges) {
+  const Region& region = model.scene.regions[region_id];
+  const int first = int(model.shapes.size());
+  for (const std::vector<int>& cell : t.cells) {
+    Polyline outline;
+    for (int p : cell) outline.push_back(t.points[p]);
+    add_block(model, region_id, outline);
+  }
+  const int own = region.joint >= 0 ? region.joint : model.scene.contact;
+  for (const Tessellation::Interface& face : t.interfaces) {
+    const int a = first + face.a, b = first + face.b;
+    const int property = face.trace >= 0 && cuts.property[face.trace] >= 0 ? cuts.property[face.trace] : own;
+    if (face.trace < 0 || cuts.bonded[face.trace])
+      add_joint(model, first, t, face, property);
+    else
+      model.pair_property[(std::int64_t(std::min(a, b)) << 32) | std::max(a, b)] = property;
+  }
+  for (const BoundaryEdge& edge : boundary_edges(t))
+    edges.push_back({region_id, first + edge.cell, t.points[edge.p], t.points[edge.q]});
+  add_nodes(model, region_id, t, first);
+}
+
+void add_ready_blocks(Model& model, int region_id, std::vector<FreeEdge>& edges) {
+  for (const Polyline& outline : model.scene.regions[region_id].outlines) {
+    const int block = add_block(model, region_id, outline);
+    for (size_t i = 0; i < outline.size(); ++i)
+      edges.push_back({region_id, block, outline[i], outline[(i + 1) % outline.size()]});
+  }
+}
+
+void add_region(Model& model, int region_id, std::vector<FreeEdge>& edges) {
+  const Region& region = model.scene.regions[region_id];
+  const std::string field = "region \"" + region.name + "\"";
+  const bool ready = region.mesh.kind == MeshKind::none && region.traces.empty() && region.joint_sets.empty() &&
+                     region.holes.empty();
+  const long left = model.scene.max_blocks - long(model.shapes.size());
+  try {
+    if (ready) return add_ready_blocks(model, region_id, edges);
+    const Cuts cuts = cuts_of(region);
+    const Tessellation t = tessellate(region, cuts, left);
+    if (long(t.cells.size()) > left) throw std::length_error(std::to_string(t.cells.size()) + " blocks");
+    add_tessellation(model, region_id, t, cuts, edges);
+  } catch (const std::length_error& error) {
+    const Place& place = region.mesh.place.file.empty() ? region.place : region.mesh.place;
+    throw InputError(place, "mesh of " + field,
+                     "at most " + std::to_string(model.scene.max_blocks) + " blocks (raise max_blocks or the mesh size)",
+                     error.what());
+  } catch (const std::invalid_argument& error) {
+    throw InputError(region.place, field, "a region that can be divided into blocks", error.what());
+  }
+}
+
+void give_velocities(Model& model, int region_id, int first) {
+  const Region& region = model.scene.regions[region_id];
+  double area = 0;
+  Vec2 centre = Vec2::Zero();
+  for (size_t b = first; b < model.shapes.size(); ++b) {
+    area += model.shapes[b].area;
+    centre += model.shapes[b].area * model.shapes[b].reference_centroid;
+  }
+  centre = region.spin_centre ? *region.spin_centre - model.origin : Vec2(centre / area);
+  for (size_t b = first; b < model.shapes.size(); ++b) {
+    const Vec2 v = region.velocity + region.spin * perp(model.blocks[b].centroid - centre);
+    model.blocks[b].velocity = {v.x(), v.y(), region.spin * model.shapes[b].length};
+  }
+}
+
+}  // namespace
+
+std::vector<FreeEdge> build_blocks(Model& model) {
+  std::vector<FreeEdge> edges;
+  for (size_t r = 0; r < model.scene.regions.size(); ++r) {
+    const int first = int(model.shapes.size());
+    add_region(model, int(r), edges);
+    give_velocities(model, int(r), first);
+  }
+  return edges;
+}
+
+}  // namespace talus

@@ -1,0 +1,53 @@
+#pragma once
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace talus {
+
+// A number that may change with time t (s): a constant, a table of (t, value) with straight lines between
+// and held ends, or a function. A function may throw InputError or RunError.
+class History {
+ public:
+  History(double constant = 0) : constant_(constant) {}
+  explicit History(std::vector<std::pair<double, double>> table) : table_(std::move(table)) {}
+  explicit History(std::function<double(double)> function) : function_(std::move(function)) {}
+
+  bool given() const { return function_ || !table_.empty() || constant_ != 0; }
+
+  double at(double t) const {
+    if (function_) return function_(t);
+    if (table_.empty()) return constant_;
+    auto next = std::upper_bound(table_.begin(), table_.end(), t, [](double a, const auto& row) { return a < row.first; });
+    if (next == table_.begin()) return table_.front().second;
+    if (next == table_.end()) return table_.back().second;
+    auto last = next - 1;
+    return last->second + (next->second - last->second) * (t - last->first) / (next->first - last->first);
+  }
+
+  // ∫ from 0 to t: exact for constants and tables; Gauss's rule with 128 points for functions.
+  double integral(double t) const {
+    if (function_) {
+      constexpr int parts = 64;
+      double sum = 0;
+      for (int i = 0; i < parts; ++i)
+        for (double g : {0.21132486540518712, 0.78867513459481288}) sum += at(t * (i + g) / parts);
+      return sum * t / (2 * parts);
+    }
+    double sum = 0, from = 0;
+    for (const auto& row : table_) {
+      if (row.first <= from || row.first >= t) continue;
+      sum += (row.first - from) * (at(from) + row.second) / 2;
+      from = row.first;
+    }
+    return sum + (t - from) * (at(from) + at(t)) / 2;
+  }
+
+ private:
+  double constant_ = 0;
+  std::vector<std::pair<double, double>> table_;
+  std::function<double(double)> function_;
+};
+
+}  // namespace talus

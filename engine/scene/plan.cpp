@@ -1,0 +1,76 @@
+#include "scene/plan.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "model/model.h"
+
+namespace talus {
+
+namespace {
+
+// Bodies that hang together by intact joints: contacts are looked for only where there is more than one, or
+// where a joint is open.
+int count_bodies(const Model& model) {
+  std::vector<int> parent(model.shapes.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int b) {
+    while (parent[b] != b) b = parent[b] = parent[parent[b]];
+    return b;
+  };
+  for (const Joint& joint : model.joints)
+    if (joint.state == JointState::intact) parent[root(joint.a)] = root(joint.b);
+  int bodies = 0;
+  for (size_t b = 0; b < parent.size(); ++b) bodies += parent[b] == int(b);
+  return bodies;
+}
+
+std::string count_text(size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Plan make_plan(const Model& model) {
+  Plan plan;
+  const Scene& scene = model.scene;
+  const auto any_body_force = [](const Region& region) {
+    return region.body_force[0].given() || region.body_force[1].given();
+  };
+  plan.dynamic = scene.time.mode == Mode::dynamic;
+  plan.bonds = !model.joints.empty();
+  plan.contacts = count_bodies(model) > 1 || !model.pair_property.empty();
+  plan.fixities = !model.edge_fixities.empty() || !model.point_fixities.empty();
+  plan.point_loads = !model.point_forces.empty();
+  plan.edge_loads = !model.edge_forces.empty();
+  plan.body_forces = scene.gravity != Vec2::Zero() || std::any_of(scene.regions.begin(), scene.regions.end(), any_body_force);
+  plan.held_blocks = std::any_of(model.shapes.begin(), model.shapes.end(), [](const auto& s) { return s.dofs == 0; });
+  plan.recovery = scene.numerics.recovery && plan.bonds;
+
+  const auto count_order = [&model](int dofs) {
+    return std::count_if(model.shapes.begin(), model.shapes.end(), [dofs](const auto& s) { return s.dofs == dofs; });
+  };
+  const auto line = [&plan](bool present, const std::string& part, const std::string& text) {
+    if (present) plan.lines.push_back({part, text});
+  };
+  line(true, "blocks", count_text(model.shapes.size(), "block") + ": " + std::to_string(count_order(6)) + " first order, " +
+                           std::to_string(count_order(3)) + " rigid, " + std::to_string(count_order(0)) + " held; " +
+                           count_text(size_t(model.dofs), "unknown"));
+  line(true, "mode", plan.dynamic ? (scene.numerics.integrator == Integrator::theta ? "dynamic, velocity theta-scheme"
+                                                                                   : "dynamic, Newmark (1/2, 1)")
+                                  : "static equilibrium, " + count_text(size_t(scene.time.steps), "load step"));
+  const size_t exact = size_t(std::count_if(model.joints.begin(), model.joints.end(),
+                                            [](const Joint& j) { return j.kind == BondKind::exact; }));
+  line(plan.bonds, "bonds", std::to_string(exact) + " exact (Nitsche), " + std::to_string(model.joints.size() - exact) +
+                                " by springs");
+  line(plan.contacts, "contacts", "search, open-close, Coulomb friction");
+  line(plan.fixities, "fixities", count_text(model.edge_fixities.size(), "edge") + ", " +
+                                      count_text(model.point_fixities.size(), "point"));
+  line(plan.point_loads, "point loads", count_text(model.point_forces.size(), "block"));
+  line(plan.edge_loads, "edge loads", count_text(model.edge_forces.size(), "edge"));
+  line(plan.body_forces, "body forces", "gravity or body force");
+  line(plan.recovery, "stress recovery", "for output, probes and checks");
+  return plan;
+}
+
+}  // namespace talus

@@ -1,0 +1,20 @@
+#pragma once
+// Which parts a scene needs. What is absent is not allocated, not called, not written.
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace talus {
+
+class Model;
+
+struct Plan {
+  bool bonds = false, contacts = false, fixities = false, point_loads = false, edge_loads = false, body_forces = false,
+       held_blocks = false, recovery = false, dynamic = false;
+  // "part: what it does here", in order of the step; printed by `talus plan`, stored in run.json.
+  std::vector<std::pair<std::string, std::string>> lines;
+};
+
+Plan make_plan(const Model& model);
+
+}  // namespace talus

@@ -1,0 +1,215 @@
+#pragma once
+// What was asked, as plain structs: no Lua, no CGAL, no numerics. `build` turns it into a Model and a Plan.
+// SI units, 1 m thickness, angles in radians, x to the right, y up, counter-clockwise positive,
+// tension positive. Indices refer to the vectors of Scene.
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/vec2.h"
+#include "scene/error.h"
+#include "scene/history_law.h"
+
+namespace talus {
+
+enum class Plane { stress, strain };
+enum class BlockOrder { rigid = 0, first = 1 };  // 3 and 6 unknowns
+enum class BondKind { exact, spring };           // Nitsche; springs at the edge's ends (the paper)
+enum class StiffnessKind { per_length, per_contact };
+
+struct Material {
+  Place place;
+  std::string name;
+  double density = 0;  // kg/m3
+  double young = 0;    // Pa
+  double poisson = 0;  // [0, 0.5)
+  Plane plane = Plane::stress;
+};
+
+// Properties of an interface: of artificial joints (bonds) and of contacts.
+struct JointProperty {
+  Place place;
+  std::string name;
+  double friction = 0;  // angle, rad, [0, pi/2)
+  double cohesion = 0;  // Pa
+  double tension = 0;   // Pa
+  BondKind bond = BondKind::exact;
+  double penalty = 1.1;  // exact bonds: multiple (> 1) of the stiffness that is provably positive definite
+  StiffnessKind stiffness_kind = StiffnessKind::per_length;
+  double stiffness = 100;    // contacts and spring bonds. per_length: alpha in alpha E/h; per_contact: N/m
+  double shear_ratio = 0.4;  // shear stiffness / normal stiffness of contacts and spring bonds
+};
+
+// A straight or bent joint trace that cuts its region. Where two blocks meet on it they touch by contact
+// (bonded = false: a real joint) or are glued with the strength of `property` (bonded = true).
+struct Trace {
+  Place place;
+  Polyline points;  // two or more
+  int property = -1;
+  bool bonded = false;
+};
+
+// Parallel joints. Turned into traces by geometry/joint_set, clipped to the region's bounding box.
+struct JointSet {
+  Place place;
+  double dip = 0;               // rad, angle of the joints against +x, counter-clockwise
+  double spacing = 0;           // m, > 0, normal distance between joints
+  double persistence = 1;       // (0, 1], jointed part of a line's length
+  double trace_length = 0;      // m, length of one jointed part when persistence < 1
+  double spacing_scatter = 0;   // [0, 1), uniform relative scatter of the spacing
+  double dip_scatter = 0;       // rad, uniform scatter of the dip
+  std::optional<Vec2> through;  // a point on one of the joints; else the centre of the region's box
+  unsigned seed = 1;
+  int property = -1;
+  bool bonded = false;
+};
+
+enum class MeshKind { none, triangles, cross, diagonal, alternating };
+struct Mesh {
+  Place place;
+  MeshKind kind = MeshKind::none;
+  double size = 0;                          // m, wanted edge length (triangles; patterns when nx, ny are 0)
+  std::function<double(Vec2)> size_at;      // optional size field, m, > 0
+  int nx = 0, ny = 0;                       // rectangles along x and y (patterns)
+};
+
+struct Hole {
+  Place place;
+  std::string name;
+  Polyline outline;  // counter-clockwise
+};
+
+// value(x) = value + gradient_x * x + gradient_y * y, for (sxx, syy, sxy), Pa, tension positive.
+struct StressField {
+  Eigen::Vector3d value = Eigen::Vector3d::Zero(), gradient_x = Eigen::Vector3d::Zero(),
+                  gradient_y = Eigen::Vector3d::Zero();
+};
+
+struct Region {
+  Place place;
+  std::string name;
+  std::vector<Polyline> outlines;  // one for a region that is cut or meshed; several for a set of ready blocks
+  std::vector<Hole> holes;
+  int material = -1;
+  int joint = -1;  // property of its bonds and of contacts among its own blocks; -1: Scene::contact
+  BlockOrder order = BlockOrder::first;
+  bool held = false;  // wholly fixed: no unknowns; moves only by a prescribed motion
+  Mesh mesh;
+  std::vector<Trace> traces;
+  std::vector<JointSet> joint_sets;
+  Vec2 velocity = Vec2::Zero();  // m/s, initial
+  double spin = 0;               // rad/s, initial, about `spin_centre` or the region's centroid
+  std::optional<Vec2> spin_centre;
+  std::optional<StressField> stress;  // initial
+  std::array<History, 2> body_force;  // N/m3, beside gravity
+};
+
+// Which boundary a fixity or load acts on: everything of the region, its point nearest to `from` (where
+// kind = point), or the boundary edges that lie on the segment from–to.
+struct On {
+  enum Kind { region, point, line } kind = region;
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+};
+
+struct Fixity {
+  Place place;
+  std::string name;
+  int region = -1;
+  On on;
+  std::array<bool, 2> held = {true, true};  // x, y (global directions)
+  enum Motion { none, displacement, velocity } motion = none;
+  std::array<History, 2> value;  // m or m/s
+  double spin = 0;               // rad/s, about the centroid: only for On::region
+};
+
+struct PointLoad {
+  Place place;
+  std::string name;
+  Vec2 at = Vec2::Zero();  // initial position of the loaded material point
+  int region = -1;         // -1: whichever region holds the point
+  std::array<History, 2> force;  // N per m thickness
+};
+
+struct EdgeLoad {
+  Place place;
+  std::string name;
+  int region = -1;
+  On on;  // line only
+  bool is_pressure = false;
+  std::array<History, 2> traction;  // Pa (global); pressure in [0], positive towards the rock, follows the edge
+};
+
+struct Probe {
+  Place place;
+  std::string name;
+  Vec2 at = Vec2::Zero();
+  int region = -1;
+};
+
+struct ContactRule {
+  Place place;
+  int region_a = -1, region_b = -1, property = -1;
+};
+
+enum class Mode { static_, dynamic };
+enum class Integrator { theta, newmark };
+
+struct TimeControl {
+  Place place;
+  Mode mode = Mode::dynamic;
+  double t_end = 0;             // s; static: the load histories run from 0 to t_end
+  int steps = 1;                // static: load steps between 0 and t_end
+  double dt = 0;                // s; 0: automatic from displacement_ratio
+  double dt_min = 0;            // s; 0: 1e-6 of the first step
+  double dt_max = 0;            // s; 0: no bound but t_end/10
+  double displacement_ratio = 0.005;  // largest displacement a step / half the height of the scene
+  bool settled_start = false;   // dynamic: begin from static equilibrium with joints that do not slide
+  long max_steps = 0;           // 0: no bound
+};
+
+struct Numerics {
+  std::string profile = "default";
+  Integrator integrator = Integrator::theta;
+  double theta = 0.75;             // [0.5, 1]
+  double dynamic_parameter = 1;    // [0, 1], part of the velocity a step inherits (newmark)
+  double contact_tolerance = 1e-8; // contact residual / force scale of a block
+  double static_tolerance = 1e-8;  // out-of-balance force / force scale
+  int max_iterations = 60;         // open–close iterations before the step is cut
+  int threads = 1;
+  bool recovery = true;            // smoothed stress for output and probes beside the raw block stress
+};
+
+struct Output {
+  Place place;
+  std::string dir;           // empty: write nothing
+  double every = 0;          // s between output times; 0: first and last only
+  bool vtk = true;
+  bool picture = true;
+  std::string picture_field = "s1";  // any block field
+  double picture_scale = 0;  // displacement magnification; 0: 1
+  // user arrays: name -> function(block id) -> value; evaluated at output times
+  std::vector<std::pair<std::string, std::function<double(int)>>> fields;
+  std::function<void()> on_frame;  // called after an output time was written; may be empty
+};
+
+struct Scene {
+  std::string title, file;
+  Vec2 gravity = Vec2::Zero();
+  std::vector<Material> materials;
+  std::vector<JointProperty> properties;
+  std::vector<Region> regions;
+  int contact = -1;  // property of contacts between regions; -1: JointProperty with friction 30 deg
+  std::vector<ContactRule> contact_rules;
+  std::vector<Fixity> fixities;
+  std::vector<PointLoad> point_loads;
+  std::vector<EdgeLoad> edge_loads;
+  std::vector<Probe> probes;
+  TimeControl time;
+  Numerics numerics;
+  Output output;
+  long max_blocks = 200000;  // a mesh that would give more is refused with its estimate
+};
+
+}  // namespace talus

@@ -1,0 +1,45 @@
+#pragma once
+// Lua functions behind C++ interfaces. Laws are pure; each call is protected and its result checked.
+#include <functional>
+#include <lua.hpp>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "geometry/vec2.h"
+#include "scene/error.h"
+
+namespace talus {
+
+// A Lua function kept alive by the registry. Calls run on the main thread of its state.
+class LuaFunction {
+ public:
+  LuaFunction(lua_State* L, int index);
+  void push() const;
+  lua_State* state() const { return L_; }
+
+ private:
+  lua_State* L_;
+  std::shared_ptr<int> reference_;
+};
+
+// How a message shows a value: 35, "35", nothing, a function, a table, a talus.material.
+std::string describe(lua_State* L, int index);
+
+// A finite number, or in words what went wrong ("at t = 0.5: expected a finite number, got nothing").
+struct LawResult {
+  double value = 0;
+  std::string problem;
+};
+LawResult call_law(const LuaFunction& law, std::span<const char* const> names, std::span<const double> arguments);
+
+// Histories: f(t). Throws RunError naming the law, its place, t and what it returned.
+std::function<double(double)> history_law(const LuaFunction& law, const Place& place, const std::string& label);
+
+// Mesh size fields: f(x, y) > 0. Throws InputError.
+std::function<double(Vec2)> size_law(const LuaFunction& law, const Place& place, const std::string& label);
+
+// Reads a finite number from the stack's top and pops it; for calls whose arguments are no plain numbers.
+LawResult pop_number(lua_State* L);
+
+}  // namespace talus

@@ -1,0 +1,143 @@
+#include "script/lua_error.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace talus {
+namespace {
+
+constexpr const char* error_metatable = "talus.error";
+constexpr const char* library_key = "talus.library";
+constexpr std::array kind_names = {"input", "run", "internal", "interrupt", "planned"};
+
+int error_text(lua_State* L) {
+  lua_getfield(L, 1, "message");
+  return 1;
+}
+
+// "a" .. error and error .. "b" work as with a plain message.
+int error_concat(lua_State* L) {
+  luaL_tolstring(L, 1, nullptr);
+  luaL_tolstring(L, 2, nullptr);
+  lua_concat(L, 2);
+  return 1;
+}
+
+bool is_error_object(lua_State* L, int index) {
+  if (!lua_istable(L, index) || !lua_getmetatable(L, index)) return false;
+  luaL_getmetatable(L, error_metatable);
+  const bool same = lua_rawequal(L, -1, -2);
+  lua_pop(L, 2);
+  return same;
+}
+
+bool is_library(lua_State* L, const lua_Debug& frame) {
+  lua_getfield(L, LUA_REGISTRYINDEX, library_key);
+  const std::string prefix = lua_tostring(L, -1);
+  lua_pop(L, 1);
+  return std::string(frame.source).starts_with(prefix);
+}
+
+// Whether the innermost Lua function of the stack belongs to the library.
+bool raised_in_library(lua_State* L) {
+  lua_Debug frame;
+  for (int level = 1; lua_getstack(L, level, &frame); ++level) {
+    lua_getinfo(L, "S", &frame);
+    if (*frame.what != 'C') return is_library(L, frame);
+  }
+  return false;
+}
+
+int message_handler(lua_State* L) {
+  if (is_error_object(L, 1)) return 1;
+  const std::string message = luaL_tolstring(L, 1, nullptr);
+  if (!raised_in_library(L)) {
+    push_error(L, ErrorKind::input, message);
+    return 1;
+  }
+  luaL_traceback(L, L, message.c_str(), 1);
+  push_error(L, ErrorKind::internal, lua_tostring(L, -1));
+  return 1;
+}
+
+}  // namespace
+
+void open_errors(lua_State* L, const std::string& library) {
+  lua_pushstring(L, ("@" + library + "/").c_str());
+  lua_setfield(L, LUA_REGISTRYINDEX, library_key);
+  luaL_newmetatable(L, error_metatable);
+  lua_pushcfunction(L, error_text);
+  lua_setfield(L, -2, "__tostring");
+  lua_pushcfunction(L, error_concat);
+  lua_setfield(L, -2, "__concat");
+  lua_pop(L, 1);
+}
+
+void push_error(lua_State* L, ErrorKind kind, const std::string& message) {
+  lua_createtable(L, 0, 2);
+  lua_pushstring(L, kind_names[static_cast<std::size_t>(kind)]);
+  lua_setfield(L, -2, "kind");
+  lua_pushlstring(L, message.data(), message.size());
+  lua_setfield(L, -2, "message");
+  luaL_setmetatable(L, error_metatable);
+}
+
+void raise_error(lua_State* L, ErrorKind kind, const std::string& message) {
+  push_error(L, kind, message);
+  lua_error(L);
+  throw std::logic_error("lua_error returned");
+}
+
+// No metamethods and no conversions here: outside of a protected call an error of Lua would end the process.
+ScriptError pop_error(lua_State* L) {
+  ErrorKind kind = ErrorKind::input;
+  const bool is_object = is_error_object(L, -1);
+  if (is_object) {
+    lua_getfield(L, -1, "kind");
+    const std::string_view name = lua_isstring(L, -1) ? lua_tostring(L, -1) : "";
+    const auto found = std::find(kind_names.begin(), kind_names.end(), name);
+    if (found != kind_names.end()) kind = static_cast<ErrorKind>(found - kind_names.begin());
+    lua_pop(L, 1);
+    lua_getfield(L, -1, "message");
+  }
+  const char* text = lua_tostring(L, -1);
+  const std::string message = text ? text : std::string("an error without a text: a ") + luaL_typename(L, -1);
+  lua_pop(L, is_object ? 2 : 1);
+  return {kind, message};
+}
+
+Place user_place(lua_State* L) {
+  lua_Debug frame;
+  for (int level = 0; lua_getstack(L, level, &frame); ++level) {
+    lua_getinfo(L, "Sl", &frame);
+    if (*frame.what == 'C' || *frame.source != '@' || is_library(L, frame)) continue;
+    return {frame.source + 1, frame.currentline};
+  }
+  return {};
+}
+
+void protected_call(lua_State* L, int arguments, int results) {
+  const int handler = lua_gettop(L) - arguments;
+  lua_pushcfunction(L, message_handler);
+  lua_insert(L, handler);
+  const int status = lua_pcall(L, arguments, results, handler);
+  lua_remove(L, handler);
+  if (status != LUA_OK) throw pop_error(L);
+}
+
+ScriptError current_error() {
+  try {
+    throw;
+  } catch (const ScriptError& error) {
+    return error;
+  } catch (const InputError& error) {
+    return {ErrorKind::input, error.what()};
+  } catch (const RunError& error) {
+    return {ErrorKind::run, error.what()};
+  } catch (const std::exception& error) {
+    return {ErrorKind::internal, error.what()};
+  }
+}
+
+}  // namespace talus

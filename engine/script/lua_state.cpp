@@ -1,0 +1,147 @@
+#include "script/lua_state.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+
+#include "script/lua_error.h"
+
+namespace talus {
+namespace {
+
+std::string library_folder(const LuaOptions& options) {
+  if (!options.library.empty()) return options.library;
+  const char* from_environment = std::getenv("TALUS_LIB");
+  return from_environment && *from_environment ? from_environment : TALUS_LUA_PATH;
+}
+
+// load(chunk [, name [, mode [, env]]]) of the base library, with the mode held at "t": no bytecode.
+int load_text(lua_State* L) {
+  lua_settop(L, lua_isnone(L, 4) ? 3 : 4);
+  lua_pushliteral(L, "t");
+  lua_replace(L, 3);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  return lua_gettop(L);
+}
+
+// A package searcher for Lua files that loads text only.
+int search_text(lua_State* L) {
+  const char* name = luaL_checkstring(L, 1);
+  lua_getfield(L, lua_upvalueindex(1), "searchpath");
+  lua_pushvalue(L, 1);
+  lua_getfield(L, lua_upvalueindex(1), "path");
+  lua_call(L, 2, 2);
+  if (lua_isnil(L, -2)) return 1;
+  lua_pop(L, 1);
+  const std::string file = lua_tostring(L, -1);
+  if (luaL_loadfilex(L, file.c_str(), "t") != LUA_OK) {
+    return luaL_error(L, "cannot load module '%s': %s", name, lua_tostring(L, -1));
+  }
+  lua_pushstring(L, file.c_str());
+  return 2;
+}
+
+void remove_global(lua_State* L, const char* name) {
+  lua_pushnil(L);
+  lua_setglobal(L, name);
+}
+
+void restrict_os(lua_State* L) {
+  lua_getglobal(L, LUA_OSLIBNAME);
+  lua_createtable(L, 0, 3);
+  for (const char* name : {"time", "clock", "date"}) {
+    lua_getfield(L, -2, name);
+    lua_setfield(L, -2, name);
+  }
+  lua_setglobal(L, LUA_OSLIBNAME);
+  lua_pop(L, 1);
+  lua_getglobal(L, LUA_LOADLIBNAME);
+  lua_getfield(L, -1, "loaded");
+  lua_getglobal(L, LUA_OSLIBNAME);
+  lua_setfield(L, -2, LUA_OSLIBNAME);
+  lua_pop(L, 2);
+}
+
+void restrict_packages(lua_State* L) {
+  lua_getglobal(L, LUA_LOADLIBNAME);
+  lua_pushnil(L);
+  lua_setfield(L, -2, "loadlib");
+  lua_pushliteral(L, "");
+  lua_setfield(L, -2, "cpath");
+  lua_getfield(L, -1, "searchers");
+  lua_pushvalue(L, -2);
+  lua_pushcclosure(L, guarded<search_text>, 1);
+  lua_rawseti(L, -2, 2);
+  for (int i = 3; i <= 4; ++i) {  // the searchers of C libraries
+    lua_pushnil(L);
+    lua_rawseti(L, -2, i);
+  }
+  lua_pop(L, 2);
+}
+
+int open_sandbox(lua_State* L) {
+  const luaL_Reg libraries[] = {{LUA_GNAME, luaopen_base},         {LUA_LOADLIBNAME, luaopen_package},
+                                {LUA_COLIBNAME, luaopen_coroutine}, {LUA_TABLIBNAME, luaopen_table},
+                                {LUA_OSLIBNAME, luaopen_os},        {LUA_STRLIBNAME, luaopen_string},
+                                {LUA_MATHLIBNAME, luaopen_math},    {LUA_UTF8LIBNAME, luaopen_utf8}};
+  for (const auto& library : libraries) {
+    luaL_requiref(L, library.name, library.func, 1);
+    lua_pop(L, 1);
+  }
+  restrict_os(L);
+  restrict_packages(L);
+  lua_getglobal(L, "load");
+  lua_pushcclosure(L, load_text, 1);
+  lua_setglobal(L, "load");
+  remove_global(L, "dofile");
+  remove_global(L, "loadfile");
+  return 0;
+}
+
+}  // namespace
+
+void* LuaState::allocate(void* memory, void* block, std::size_t old_size, std::size_t new_size) {
+  Memory& m = *static_cast<Memory*>(memory);
+  if (!block) old_size = 0;  // then it tells the kind of object
+  if (new_size == 0) {
+    std::free(block);
+    m.used -= old_size;
+    return nullptr;
+  }
+  if (m.cap && new_size > old_size && m.used + (new_size - old_size) > m.cap) return nullptr;
+  void* grown = std::realloc(block, new_size);
+  if (grown) m.used += new_size - old_size;
+  return grown;
+}
+
+LuaState::LuaState(const LuaOptions& options) : library_(library_folder(options)) {
+  memory_.cap = options.memory_cap;
+  L_ = lua_newstate(allocate, &memory_);
+  if (!L_) throw std::bad_alloc();
+  open_errors(L_, library_);
+  lua_pushcfunction(L_, open_sandbox);
+  protected_call(L_, 0, 0);
+}
+
+LuaState::~LuaState() { lua_close(L_); }
+
+void set_search_path(lua_State* L, const std::string& script, const std::string& library) {
+  const std::string folder = std::filesystem::path(script).parent_path().string();
+  std::string path;
+  for (const std::string& root : {folder.empty() ? std::string(".") : folder, library}) {
+    path += (path.empty() ? "" : ";") + root + "/?.lua;" + root + "/?/init.lua";
+  }
+  lua_getglobal(L, LUA_LOADLIBNAME);
+  lua_pushstring(L, path.c_str());
+  lua_setfield(L, -2, "path");
+  lua_pop(L, 1);
+}
+
+void run_file(lua_State* L, const std::string& path) {
+  if (luaL_loadfilex(L, path.c_str(), "t") != LUA_OK) throw pop_error(L);
+  protected_call(L, 0, 0);
+}
+
+}  // namespace talus

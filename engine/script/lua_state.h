@@ -1,0 +1,41 @@
+#pragma once
+// A Lua 5.4 state for one scene: capped memory, text chunks only, no io, os reduced to time, clock and date.
+#include <cstddef>
+#include <lua.hpp>
+#include <string>
+
+namespace talus {
+
+struct LuaOptions {
+  std::size_t memory_cap = std::size_t(1) << 30;  // bytes; a runaway script fails, the machine does not
+  std::string library;                            // empty: the environment's TALUS_LIB, else the built-in path
+};
+
+class LuaState {
+ public:
+  explicit LuaState(const LuaOptions& options = {});
+  ~LuaState();
+  LuaState(const LuaState&) = delete;
+  LuaState& operator=(const LuaState&) = delete;
+
+  lua_State* get() const { return L_; }
+  const std::string& library() const { return library_; }
+
+ private:
+  struct Memory {
+    std::size_t used = 0, cap = 0;
+  };
+  static void* allocate(void* memory, void* block, std::size_t old_size, std::size_t new_size);
+
+  Memory memory_;
+  std::string library_;
+  lua_State* L_ = nullptr;
+};
+
+// `require` looks in the script's folder, then in the library.
+void set_search_path(lua_State* L, const std::string& script, const std::string& library);
+
+// Loads and runs the script file; throws ScriptError.
+void run_file(lua_State* L, const std::string& path);
+
+}  // namespace talus

@@ -1,0 +1,166 @@
+#include "script/native.h"
+
+#include <string>
+#include <vector>
+
+#include "script/laws.h"
+#include "script/lua_error.h"
+#include "script/nearest.h"
+#include "script/scene_reader.h"
+#include "script/session.h"
+#include "script/simulation_view.h"
+#include "script/table_view.h"
+
+namespace talus {
+namespace {
+
+// place() -> file, line of the user's script that led here (nothing outside of one)
+int native_place(lua_State* L) {
+  const Place place = user_place(L);
+  if (place.file.empty()) return 0;
+  lua_pushstring(L, place.file.c_str());
+  lua_pushinteger(L, place.line);
+  return 2;
+}
+
+// fail(message): bad input
+int native_fail(lua_State* L) { throw ScriptError(ErrorKind::input, luaL_checkstring(L, 1)); }
+
+// describe(value) -> how messages show it
+int native_describe(lua_State* L) {
+  luaL_checkany(L, 1);
+  lua_pushstring(L, describe(L, 1).c_str());
+  return 1;
+}
+
+// suggestion(word, known) -> '; did you mean "…"?'
+int native_suggestion(lua_State* L) {
+  std::vector<std::string> known(lua_rawlen(L, 2));
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    lua_rawgeti(L, 2, static_cast<lua_Integer>(i + 1));
+    known[i] = luaL_checkstring(L, -1);
+    lua_pop(L, 1);
+  }
+  lua_pushstring(L, suggestion(luaL_checkstring(L, 1), known).c_str());
+  return 1;
+}
+
+// try_law(function, {"t"}, {0}) -> nothing, or what is wrong with it
+int native_try_law(lua_State* L) {
+  std::vector<std::string> names;
+  std::vector<double> arguments;
+  for (lua_Integer i = 1; i <= static_cast<lua_Integer>(lua_rawlen(L, 2)); ++i) {
+    lua_rawgeti(L, 2, i);
+    names.emplace_back(luaL_checkstring(L, -1));
+    lua_rawgeti(L, 3, i);
+    arguments.push_back(luaL_checknumber(L, -1));
+    lua_pop(L, 2);
+  }
+  std::vector<const char*> words;
+  for (const std::string& name : names) words.push_back(name.c_str());
+  const LawResult result = call_law(LuaFunction(L, 1), words, arguments);
+  if (result.problem.empty()) return 0;
+  lua_pushstring(L, result.problem.c_str());
+  return 1;
+}
+
+// create(scene) -> simulation
+int native_create(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_gc(L, LUA_GCCOLLECT);  // simulations the script has dropped end here
+  const TableReader table(L, 1);
+  RunHandlers handlers;
+  for (const auto& [key, handler] : {std::pair{"on_step", &handlers.on_step}, {"on_output", &handlers.on_output}}) {
+    if (!table.push(key)) continue;
+    handler->emplace(L, -1);
+    lua_pop(L, 1);
+  }
+  table.each("fields", [&](const TableReader& field) {
+    std::string name;
+    field.read("name", name);
+    field.push("law");
+    handlers.fields.emplace_back(name, LuaFunction(L, -1));
+    lua_pop(L, 1);
+  });
+  new_simulation(L, Session::of(L).add_run(read_scene(table), std::move(handlers)));
+  return 1;
+}
+
+// update(simulation, list, index, entry): a changed material, joint, fixity or load
+int native_update(lua_State* L) {
+  Run& run = check_simulation(L, 1);
+  run.refuse_inside_step(L, "a change of a " + std::string(luaL_checkstring(L, 5)));
+  const auto index = static_cast<int>(luaL_checkinteger(L, 3)) - 1;
+  update_scene(run.simulation.model.scene, luaL_checkstring(L, 2), index, TableReader(L, 4));
+  ++run.simulation.model.revision;
+  return 0;
+}
+
+// add_check(name, value, expected, pass)
+int native_add_check(lua_State* L) {
+  Session::of(L).add_check(
+      {luaL_checkstring(L, 1), luaL_checkstring(L, 2), luaL_checkstring(L, 3), lua_toboolean(L, 4) != 0});
+  return 0;
+}
+
+// parameter(name, meaning) -> text given with -p, or nothing
+int native_parameter(lua_State* L) {
+  const std::string* value = Session::of(L).parameter(luaL_checkstring(L, 1), luaL_checkstring(L, 2));
+  if (!value) return 0;
+  lua_pushstring(L, value->c_str());
+  return 1;
+}
+
+// fields() -> { blocks = {{name, unit, meaning}, …}, joints = …, contacts = …, probes = … }
+int native_fields(lua_State* L) {
+  lua_newtable(L);
+  for (const auto& [name, kind] : {std::pair{"blocks", ViewKind::blocks},
+                                   {"joints", ViewKind::joints},
+                                   {"contacts", ViewKind::contacts},
+                                   {"probes", ViewKind::probes}}) {
+    lua_newtable(L);
+    lua_Integer count = 0;
+    for (const ViewField& field : view_fields(kind)) {
+      lua_createtable(L, 0, 3);
+      for (const auto& [key, text] : {std::pair{"name", &field.name}, {"unit", &field.unit}, {"meaning", &field.meaning}}) {
+        lua_pushstring(L, text->c_str());
+        lua_setfield(L, -2, key);
+      }
+      lua_rawseti(L, -2, ++count);
+    }
+    lua_setfield(L, -2, name);
+  }
+  return 1;
+}
+
+int load_native(lua_State* L) {
+  constexpr luaL_Reg functions[] = {{"place", guarded<native_place>},
+                                    {"fail", guarded<native_fail>},
+                                    {"describe", guarded<native_describe>},
+                                    {"suggestion", guarded<native_suggestion>},
+                                    {"try_law", guarded<native_try_law>},
+                                    {"create", guarded<native_create>},
+                                    {"update", guarded<native_update>},
+                                    {"add_check", guarded<native_add_check>},
+                                    {"parameter", guarded<native_parameter>},
+                                    {"fields", guarded<native_fields>},
+                                    {nullptr, nullptr}};
+  luaL_newlib(L, functions);
+  push_simulation_methods(L);
+  lua_setfield(L, -2, "methods");
+  return 1;
+}
+
+}  // namespace
+
+void open_native(lua_State* L) {
+  open_table_views(L);
+  open_simulation_view(L);
+  lua_getglobal(L, LUA_LOADLIBNAME);
+  lua_getfield(L, -1, "preload");
+  lua_pushcfunction(L, guarded<load_native>);
+  lua_setfield(L, -2, "talus.native");
+  lua_pop(L, 2);
+}
+
+}  // namespace talus

@@ -1,0 +1,150 @@
+#include "script/run.h"
+
+#include <unistd.h>
+
+#include "script/interrupt.h"
+#include "script/lua_error.h"
+#include "script/simulation_view.h"
+#include "script/table_view.h"
+
+namespace talus {
+namespace {
+
+class PhaseScope {
+ public:
+  PhaseScope(Run::Phase& phase, Run::Phase now) : phase_(phase), before_(phase) { phase = now; }
+  ~PhaseScope() { phase_ = before_; }
+  PhaseScope(const PhaseScope&) = delete;
+  PhaseScope& operator=(const PhaseScope&) = delete;
+
+ private:
+  Run::Phase& phase_;
+  Run::Phase before_;
+};
+
+// A user field of a block: function(block) -> number.
+double call_field(const std::weak_ptr<Run>& run, const std::string& name, const LuaFunction& function, int block) {
+  lua_State* L = function.state();
+  const std::shared_ptr<Run> alive = run.lock();
+  const std::string label = alive->simulation.model.scene.output.place.text() + ": output.fields." + name +
+                            ": for block " + std::to_string(block + 1);
+  LawResult result;
+  try {
+    luaL_checkstack(L, 4, "a field");
+    function.push();
+    push_item(L, alive, ViewKind::blocks, block);
+    protected_call(L, 1, 1);
+    result = pop_number(L);
+  } catch (const ScriptError& error) {
+    if (error.kind == ErrorKind::interrupt) throw;
+    throw RunError(label + " the function failed: " + error.what());
+  }
+  if (!result.problem.empty()) throw RunError(label + ": " + result.problem);
+  return result.value;
+}
+
+}  // namespace
+
+std::shared_ptr<Run> Run::create(Scene scene, RunHandlers handlers, const RunSettings& settings) {
+  const auto self = std::make_shared<std::weak_ptr<Run>>();
+  for (const auto& [name, function] : handlers.fields) {
+    scene.output.fields.emplace_back(
+        name, [self, name, function](int block) { return call_field(*self, name, function, block); });
+  }
+  if (handlers.on_output) {
+    scene.output.on_frame = [self] {
+      if (const auto run = self->lock()) run->call_handler(*run->handlers_.on_output);
+    };
+  }
+  auto run = std::make_shared<Run>(std::move(scene));
+  *self = run;
+  run->self_ = run;
+  run->handlers_ = std::move(handlers);
+  try {
+    for (const auto& [name, field] : run->simulation.model.scene.output.fields) field(0);
+  } catch (const RunError& error) {
+    throw ScriptError(ErrorKind::input, error.what());
+  }
+  if (settings.writes) run->start_output(settings);
+  return run;
+}
+
+void Run::start_output(const RunSettings& settings) {
+  if (!simulation.model.scene.output.dir.empty()) {
+    output_ = std::make_unique<RunOutput>(simulation, settings.command_line);
+    simulation.on_step.emplace_back([this](Simulation& s) { output_->after_step(s); });
+  }
+  if (handlers_.on_step) {
+    simulation.on_step.emplace_back([this](Simulation& s) {
+      if (s.last.step > 0) call_handler(*handlers_.on_step);
+    });
+  }
+  if (!settings.progress) return;
+  progress_.emplace(isatty(STDERR_FILENO) == 1);
+  simulation.on_step.emplace_back([this](Simulation& s) { progress_->after_step(s); });
+}
+
+void Run::call_handler(const LuaFunction& handler) {
+  const PhaseScope handling(phase_, Phase::handling);
+  const InterruptsHeld let_through(false);
+  lua_State* L = handler.state();
+  try {
+    luaL_checkstack(L, 4, "a handler");
+    handler.push();
+    push_simulation(L, self_.lock());
+    protected_call(L, 1, 0);
+  } catch (const ScriptError& error) {
+    if (error.kind != ErrorKind::input) throw;
+    throw RunError(error.what());
+  }
+}
+
+std::optional<StepReport> Run::step() {
+  if (simulation.finished()) return std::nullopt;
+  throw_if_interrupted();
+  began_ = true;
+  try {
+    const PhaseScope stepping(phase_, Phase::stepping);
+    const InterruptsHeld hold;
+    simulation.step();
+  } catch (const std::exception& error) {
+    failure_ = error.what();
+    throw;
+  }
+  throw_if_interrupted();
+  return simulation.last;
+}
+
+void Run::frame() {
+  if (!output_ || in_frame_) return;
+  in_frame_ = true;
+  try {
+    output_->frame(simulation);
+  } catch (...) {
+    in_frame_ = false;
+    throw;
+  }
+  in_frame_ = false;
+}
+
+void Run::stop() {
+  stopped_ = true;
+  simulation.stop();
+}
+
+void Run::finish(const std::string& outcome) {
+  if (done_) return;
+  done_ = true;
+  if (began_ && progress_) progress_->done(simulation);
+  if (!output_) return;
+  const char* own = simulation.finished() && !stopped_ ? "finished" : "stopped";
+  const std::string& known = failure_.empty() ? outcome : failure_;
+  output_->finish(simulation, known.empty() ? own : known, checks_);
+}
+
+void Run::refuse_inside_step(lua_State* L, const std::string& what) const {
+  if (phase_ != Phase::stepping) return;
+  throw ScriptError(ErrorKind::input, user_place(L).text() + ": " + what + " cannot be used inside a step (in a law)");
+}
+
+}  // namespace talus

@@ -1,0 +1,64 @@
+#pragma once
+// One simulation of a script with what goes along: its output, progress, handlers and checks.
+#include <lua.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/output.h"
+#include "script/laws.h"
+#include "step/simulation.h"
+
+namespace talus {
+
+struct RunHandlers {
+  std::optional<LuaFunction> on_step, on_output;
+  std::vector<std::pair<std::string, LuaFunction>> fields;  // output.fields
+};
+
+struct RunSettings {
+  bool writes = true;    // false for `talus plan`
+  bool progress = true;  // a progress line on standard error
+  std::string command_line;
+};
+
+class Run {
+ public:
+  enum class Phase { idle, stepping, handling };
+
+  // Builds the model, tries the output fields on the first block, creates the output directory. InputError.
+  static std::shared_ptr<Run> create(Scene scene, RunHandlers handlers, const RunSettings& settings);
+
+  // One accepted step, or nothing when the run is finished. Throws RunError, ScriptError.
+  std::optional<StepReport> step();
+  void frame();  // one output time now
+  void stop();
+  // Ends the output; once. An empty outcome stands for what the run itself knows: finished, stopped or its error.
+  void finish(const std::string& outcome);
+
+  bool began() const { return began_; }
+  Phase phase() const { return phase_; }
+  void add_check(const CheckLine& check) { checks_.push_back(check); }
+  // Throws ScriptError(input) with `what` where the model must not be touched: inside a step.
+  void refuse_inside_step(lua_State* L, const std::string& what) const;
+
+  Simulation simulation;
+
+  explicit Run(Scene scene) : simulation(std::move(scene)) {}
+
+ private:
+  void start_output(const RunSettings& settings);
+  void call_handler(const LuaFunction& handler);
+
+  RunHandlers handlers_;
+  std::weak_ptr<Run> self_;
+  std::unique_ptr<RunOutput> output_;
+  std::optional<Progress> progress_;
+  std::vector<CheckLine> checks_;
+  std::string failure_;
+  Phase phase_ = Phase::idle;
+  bool began_ = false, stopped_ = false, done_ = false, in_frame_ = false;
+};
+
+}  // namespace talus

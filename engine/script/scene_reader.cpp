@@ -1,0 +1,296 @@
+#include "script/scene_reader.h"
+
+#include <stdexcept>
+
+#include "script/laws.h"
+#include "script/size_grade.h"
+
+namespace talus {
+namespace {
+
+// Words of the Lua face for the values of an enum.
+template <class E>
+void read_enum(const TableReader& t, const char* key, std::initializer_list<std::pair<const char*, E>> words, E& value) {
+  std::string word;
+  t.read(key, word);
+  if (word.empty()) return;
+  for (const auto& [name, meaning] : words) {
+    if (word == name) {
+      value = meaning;
+      return;
+    }
+  }
+  throw std::logic_error("scene table: " + std::string(key) + " is no known word: " + word);
+}
+
+template <class T>
+void read_head(const TableReader& t, T& entry) {
+  t.read("place", entry.place);
+  if constexpr (requires { entry.name; }) t.read("name", entry.name);
+}
+
+// A number, a list of {t, value} or a function, on the top of the stack.
+History history_on_top(lua_State* L, const Place& place, const std::string& label) {
+  if (lua_isfunction(L, -1)) return History(history_law(LuaFunction(L, -1), place, label));
+  if (!lua_istable(L, -1)) return History(lua_tonumber(L, -1));
+  std::vector<std::pair<double, double>> rows(lua_rawlen(L, -1));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    lua_rawgeti(L, -1, static_cast<lua_Integer>(i + 1));
+    lua_rawgeti(L, -1, 1);
+    lua_rawgeti(L, -2, 2);
+    rows[i] = {lua_tonumber(L, -2), lua_tonumber(L, -1)};
+    lua_pop(L, 3);
+  }
+  return History(std::move(rows));
+}
+
+void read_histories(const TableReader& t, const char* key, const Place& place, const std::string& kind,
+                    std::array<History, 2>& value) {
+  if (!t.push(key)) return;
+  lua_State* L = t.state();
+  for (int i = 0; i < 2; ++i) {
+    lua_rawgeti(L, -1, i + 1);
+    value[i] = history_on_top(L, place, kind + "." + key + "[" + std::to_string(i + 1) + "]");
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+}
+
+void read_on(const TableReader& t, On& on) {
+  t.with("on", [&](const TableReader& o) {
+    read_enum(o, "kind", {{"region", On::region}, {"point", On::point}, {"line", On::line}}, on.kind);
+    o.read("from", on.from);
+    o.read("to", on.to);
+  });
+}
+
+Material read_material(const TableReader& t) {
+  Material m;
+  read_head(t, m);
+  t.read("density", m.density);
+  t.read("young", m.young);
+  t.read("poisson", m.poisson);
+  read_enum(t, "plane", {{"stress", Plane::stress}, {"strain", Plane::strain}}, m.plane);
+  return m;
+}
+
+JointProperty read_property(const TableReader& t) {
+  JointProperty p;
+  read_head(t, p);
+  t.read("friction", p.friction);
+  t.read("cohesion", p.cohesion);
+  t.read("tension", p.tension);
+  read_enum(t, "bond", {{"exact", BondKind::exact}, {"spring", BondKind::spring}}, p.bond);
+  t.read("penalty", p.penalty);
+  read_enum(t, "stiffness_kind",
+            {{"length", StiffnessKind::per_length}, {"contact", StiffnessKind::per_contact}}, p.stiffness_kind);
+  t.read("stiffness", p.stiffness);
+  t.read("shear_ratio", p.shear_ratio);
+  return p;
+}
+
+Trace read_trace(const TableReader& t) {
+  Trace trace;
+  read_head(t, trace);
+  t.read("points", trace.points);
+  t.read_index("property", trace.property);
+  t.read("bonded", trace.bonded);
+  return trace;
+}
+
+JointSet read_joint_set(const TableReader& t) {
+  JointSet set;
+  read_head(t, set);
+  t.read("dip", set.dip);
+  t.read("spacing", set.spacing);
+  t.read("persistence", set.persistence);
+  t.read("trace_length", set.trace_length);
+  t.read("spacing_scatter", set.spacing_scatter);
+  t.read("dip_scatter", set.dip_scatter);
+  t.read("through", set.through);
+  t.read("seed", set.seed);
+  t.read_index("property", set.property);
+  t.read("bonded", set.bonded);
+  return set;
+}
+
+Mesh read_mesh(const TableReader& t, const std::vector<Hole>& holes) {
+  Mesh mesh;
+  read_head(t, mesh);
+  read_enum(t, "kind",
+            {{"triangles", MeshKind::triangles},
+             {"cross", MeshKind::cross},
+             {"diagonal", MeshKind::diagonal},
+             {"alternating", MeshKind::alternating}},
+            mesh.kind);
+  t.read("nx", mesh.nx);
+  t.read("ny", mesh.ny);
+  t.read("size", mesh.size);
+  if (t.push("size_law")) {
+    mesh.size_at = size_law(LuaFunction(t.state(), -1), mesh.place, "region.mesh.size");
+    lua_pop(t.state(), 1);
+  }
+  t.with("grade", [&](const TableReader& grade) { mesh.size_at = read_grade(grade, holes); });
+  return mesh;
+}
+
+Region read_region(const TableReader& t) {
+  Region r;
+  read_head(t, r);
+  t.read("outlines", r.outlines);
+  t.each("holes", [&](const TableReader& h) {
+    Hole& hole = r.holes.emplace_back();
+    read_head(h, hole);
+    h.read("outline", hole.outline);
+  });
+  t.read_index("material", r.material);
+  t.read_index("joint", r.joint);
+  read_enum(t, "order", {{"rigid", BlockOrder::rigid}, {"first", BlockOrder::first}}, r.order);
+  t.read("held", r.held);
+  t.with("mesh", [&](const TableReader& m) { r.mesh = read_mesh(m, r.holes); });
+  t.each("traces", [&](const TableReader& e) { r.traces.push_back(read_trace(e)); });
+  t.each("joint_sets", [&](const TableReader& e) { r.joint_sets.push_back(read_joint_set(e)); });
+  t.read("velocity", r.velocity);
+  t.read("spin", r.spin);
+  t.read("spin_centre", r.spin_centre);
+  t.with("stress", [&](const TableReader& s) {
+    StressField& stress = r.stress.emplace();
+    s.read("value", stress.value);
+    s.read("gradient_x", stress.gradient_x);
+    s.read("gradient_y", stress.gradient_y);
+  });
+  read_histories(t, "body_force", r.place, "region", r.body_force);
+  return r;
+}
+
+Fixity read_fixity(const TableReader& t) {
+  Fixity f;
+  read_head(t, f);
+  t.read_index("region", f.region);
+  read_on(t, f.on);
+  t.read("x", f.held[0]);
+  t.read("y", f.held[1]);
+  if (t.has("displacement")) f.motion = Fixity::displacement;
+  if (t.has("velocity")) f.motion = Fixity::velocity;
+  read_histories(t, "displacement", f.place, "fix", f.value);
+  read_histories(t, "velocity", f.place, "fix", f.value);
+  t.read("spin", f.spin);
+  return f;
+}
+
+PointLoad read_point_load(const TableReader& t) {
+  PointLoad l;
+  read_head(t, l);
+  t.read("at", l.at);
+  t.read_index("region", l.region);
+  read_histories(t, "force", l.place, "point_load", l.force);
+  return l;
+}
+
+EdgeLoad read_edge_load(const TableReader& t) {
+  EdgeLoad l;
+  read_head(t, l);
+  t.read_index("region", l.region);
+  read_on(t, l.on);
+  read_histories(t, "traction", l.place, "edge_load", l.traction);
+  if (t.push("pressure")) {
+    l.is_pressure = true;
+    l.traction[0] = history_on_top(t.state(), l.place, "pressure.value");
+    lua_pop(t.state(), 1);
+  }
+  return l;
+}
+
+TimeControl read_time(const TableReader& t) {
+  TimeControl c;
+  read_head(t, c);
+  read_enum(t, "mode", {{"static", Mode::static_}, {"dynamic", Mode::dynamic}}, c.mode);
+  t.read("t_end", c.t_end);
+  t.read("steps", c.steps);
+  t.read("dt", c.dt);
+  t.read("dt_min", c.dt_min);
+  t.read("dt_max", c.dt_max);
+  t.read("displacement_ratio", c.displacement_ratio);
+  t.read("settled_start", c.settled_start);
+  t.read("max_steps", c.max_steps);
+  return c;
+}
+
+Numerics read_numerics(const TableReader& t) {
+  Numerics n;
+  t.read("profile", n.profile);
+  read_enum(t, "integrator", {{"theta", Integrator::theta}, {"newmark", Integrator::newmark}}, n.integrator);
+  t.read("theta", n.theta);
+  t.read("dynamic_parameter", n.dynamic_parameter);
+  t.read("contact_tolerance", n.contact_tolerance);
+  t.read("static_tolerance", n.static_tolerance);
+  t.read("max_iterations", n.max_iterations);
+  t.read("threads", n.threads);
+  t.read("recovery", n.recovery);
+  return n;
+}
+
+Output read_output(const TableReader& t) {
+  Output o;
+  read_head(t, o);
+  t.read("dir", o.dir);
+  t.read("every", o.every);
+  t.read("vtk", o.vtk);
+  t.read("picture", o.picture);
+  t.read("picture_field", o.picture_field);
+  t.read("picture_scale", o.picture_scale);
+  return o;
+}
+
+}  // namespace
+
+Scene read_scene(const TableReader& t) {
+  Scene s;
+  t.read("title", s.title);
+  t.read("file", s.file);
+  t.read("gravity", s.gravity);
+  t.read("max_blocks", s.max_blocks);
+  t.each("materials", [&](const TableReader& e) { s.materials.push_back(read_material(e)); });
+  t.each("properties", [&](const TableReader& e) { s.properties.push_back(read_property(e)); });
+  t.each("regions", [&](const TableReader& e) { s.regions.push_back(read_region(e)); });
+  t.read_index("contact", s.contact);
+  t.each("contact_rules", [&](const TableReader& e) {
+    ContactRule& rule = s.contact_rules.emplace_back();
+    read_head(e, rule);
+    e.read_index("region_a", rule.region_a);
+    e.read_index("region_b", rule.region_b);
+    e.read_index("property", rule.property);
+  });
+  t.each("fixities", [&](const TableReader& e) { s.fixities.push_back(read_fixity(e)); });
+  t.each("point_loads", [&](const TableReader& e) { s.point_loads.push_back(read_point_load(e)); });
+  t.each("edge_loads", [&](const TableReader& e) { s.edge_loads.push_back(read_edge_load(e)); });
+  t.each("probes", [&](const TableReader& e) {
+    Probe& probe = s.probes.emplace_back();
+    read_head(e, probe);
+    e.read("at", probe.at);
+    e.read_index("region", probe.region);
+  });
+  t.with("time", [&](const TableReader& e) { s.time = read_time(e); });
+  t.with("numerics", [&](const TableReader& e) { s.numerics = read_numerics(e); });
+  t.with("output", [&](const TableReader& e) { s.output = read_output(e); });
+  return s;
+}
+
+void update_scene(Scene& scene, const std::string& list, int index, const TableReader& entry) {
+  const auto i = static_cast<std::size_t>(index);
+  if (list == "materials") {
+    scene.materials.at(i) = read_material(entry);
+  } else if (list == "properties") {
+    scene.properties.at(i) = read_property(entry);
+  } else if (list == "fixities") {
+    scene.fixities.at(i) = read_fixity(entry);
+  } else if (list == "point_loads") {
+    scene.point_loads.at(i) = read_point_load(entry);
+  } else if (list == "edge_loads") {
+    scene.edge_loads.at(i) = read_edge_load(entry);
+  } else {
+    throw std::logic_error("scene table: no list " + list);
+  }
+}
+
+}  // namespace talus

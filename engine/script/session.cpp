@@ -1,0 +1,160 @@
+#include "script/session.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "script/interrupt.h"
+#include "script/lua_error.h"
+#include "script/lua_state.h"
+#include "script/native.h"
+#include "script/nearest.h"
+#include "script/plan_text.h"
+#include "script/simulation_view.h"
+
+namespace talus {
+namespace {
+
+const char session_key = 0;  // its address is the key in Lua's registry
+
+int status_of(const ScriptError& error) {
+  switch (error.kind) {
+    case ErrorKind::run:
+      return exit_run_stopped;
+    case ErrorKind::interrupt:
+      return 128 + interrupt_signal();
+    case ErrorKind::planned:
+      return exit_ok;
+    default:
+      return exit_bad_input;
+  }
+}
+
+}  // namespace
+
+Session& Session::of(lua_State* L) {
+  lua_rawgetp(L, LUA_REGISTRYINDEX, &session_key);
+  auto* session = static_cast<Session*>(lua_touserdata(L, -1));
+  lua_pop(L, 1);
+  return *session;
+}
+
+int Session::execute() {
+  LuaState state;
+  lua_State* L = state.get();
+  lua_pushlightuserdata(L, this);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &session_key);
+  set_search_path(L, options_.script, state.library());
+  int status = exit_ok;
+  std::string outcome;
+  try {
+    const Interrupts interrupts(L);
+    lua_pushcfunction(L, guarded<script_main>);
+    protected_call(L, 0, 0);
+  } catch (const ScriptError& error) {
+    status = status_of(error);
+    outcome = error.what();
+    if (status != exit_ok) std::fprintf(stderr, "talus: %s\n", error.what());
+  }
+  for (const auto& run : runs_) finish(*run, outcome);
+  runs_.clear();  // models hold Lua functions: before the state goes
+  if (status == exit_ok && output_failed_) return exit_run_stopped;
+  return status == exit_ok && failed_checks_ > 0 ? exit_check_failed : status;
+}
+
+int Session::script_main(lua_State* L) {
+  Session::of(L).run_script(L);
+  return 0;
+}
+
+void Session::run_script(lua_State* L) {
+  open_native(L);
+  run_file(L, options_.script);
+  check_parameters();
+  if (runs_made_ == 0 && checks_ == 0) {
+    throw ScriptError(ErrorKind::input, options_.script + ": the script made no talus.simulation and no check");
+  }
+  if (options_.plan_only) return;
+  for (const auto& run : std::vector(runs_)) {
+    if (run->began()) continue;
+    push_simulation(L, run);  // handlers are given it
+    while (run->step()) {
+    }
+    lua_pop(L, 1);
+  }
+}
+
+void Session::finish(Run& run, const std::string& outcome) {
+  try {
+    run.finish(outcome);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "talus: %s\n", error.what());
+    output_failed_ = true;
+  }
+}
+
+std::shared_ptr<Run> Session::add_run(Scene scene, RunHandlers handlers) {
+  check_parameters();
+  if (!options_.plan_only) scene.output.dir = output_dir(scene.output.dir, scene.output.place);
+  const RunSettings settings{!options_.plan_only, options_.progress && !options_.plan_only, options_.command_line};
+  auto run = Run::create(std::move(scene), std::move(handlers), settings);
+  ++runs_made_;
+  runs_.push_back(run);
+  latest_ = run;
+  if (options_.plan_only) std::fputs(plan_text(run->simulation).c_str(), stdout);
+  return run;
+}
+
+void Session::release(const std::shared_ptr<Run>& run) {
+  const auto found = std::find(runs_.begin(), runs_.end(), run);
+  if (found == runs_.end()) return;
+  finish(*run, "");
+  runs_.erase(found);
+}
+
+// -o replaces what the scene says; the second and later simulations of a script get <dir>/2, <dir>/3, …
+std::string Session::output_dir(const std::string& wanted, const Place& place) {
+  std::string dir = wanted;
+  if (!options_.output_dir.empty()) {
+    dir = options_.output_dir + (runs_made_ == 0 ? "" : "/" + std::to_string(runs_made_ + 1));
+  }
+  if (dir.empty()) return dir;
+  const std::filesystem::path one_name = std::filesystem::absolute(dir + "/").lexically_normal();
+  if (!output_dirs_.insert(one_name.string()).second) {
+    throw InputError(place, "output.dir", "a folder of its own for each simulation", '"' + dir + "\" again");
+  }
+  return dir;
+}
+
+void Session::add_check(const CheckLine& check) {
+  ++checks_;
+  if (!check.pass) ++failed_checks_;
+  if (const auto run = latest_.lock()) run->add_check(check);
+}
+
+const std::string* Session::parameter(const std::string& name, const std::string& meaning) {
+  known_parameters_.emplace_back(name, meaning);
+  const auto named = [&](const auto& p) { return p.first == name; };
+  const auto found = std::find_if(options_.parameters.rbegin(), options_.parameters.rend(), named);
+  return found == options_.parameters.rend() ? nullptr : &found->second;
+}
+
+void Session::check_parameters() const {
+  std::vector<std::string> names;
+  std::string table;
+  for (const auto& [name, meaning] : known_parameters_) {
+    names.push_back(name);
+    table += "\n  " + name + "  " + meaning;
+  }
+  for (const auto& [name, value] : options_.parameters) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const std::string near = nearest(name, names);
+    throw ScriptError(ErrorKind::input,
+                      "-p " + name + "=" + value + ": " + options_.script + " has no such parameter" +
+                          (near.empty() ? "" : "; did you mean \"" + near + "\"?") +
+                          "; before its first simulation it declares" + (table.empty() ? " none" : table));
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,57 @@
+#pragma once
+// One script from start to end: parameters, the simulations it makes, its checks, and the exit status.
+#include <lua.hpp>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "script/run.h"
+
+namespace talus {
+
+struct SessionOptions {
+  std::string script;
+  std::vector<std::pair<std::string, std::string>> parameters;  // -p name=value
+  std::string output_dir;                                       // -o, empty: as the scene says
+  std::string command_line;
+  bool plan_only = false;
+  bool progress = true;
+};
+
+// Exit status of the program.
+enum ExitStatus { exit_ok = 0, exit_check_failed = 1, exit_bad_input = 2, exit_run_stopped = 3 };  // signals: 128 + n
+
+class Session {
+ public:
+  explicit Session(SessionOptions options) : options_(std::move(options)) {}
+
+  // Runs the script, then every simulation it made and never stepped. Prints errors to standard error.
+  int execute();
+
+  // What the Lua library asks for (script/native.cpp).
+  std::shared_ptr<Run> add_run(Scene scene, RunHandlers handlers);
+  void release(const std::shared_ptr<Run>& run);  // the script has dropped it: its results are ended
+  void add_check(const CheckLine& check);
+  const std::string* parameter(const std::string& name, const std::string& meaning);  // null: not given
+  bool plan_only() const { return options_.plan_only; }
+  static Session& of(lua_State* L);
+
+ private:
+  static int script_main(lua_State* L);
+  void run_script(lua_State* L);
+  void check_parameters() const;
+  std::string output_dir(const std::string& wanted, const Place& place);
+  void finish(Run& run, const std::string& outcome);
+
+  SessionOptions options_;
+  std::vector<std::shared_ptr<Run>> runs_;  // made and not released
+  std::weak_ptr<Run> latest_;
+  std::vector<std::pair<std::string, std::string>> known_parameters_;  // name, meaning
+  std::set<std::string> output_dirs_;
+  int runs_made_ = 0, checks_ = 0, failed_checks_ = 0;
+  bool output_failed_ = false;
+};
+
+}  // namespace talus

@@ -1,0 +1,44 @@
+#pragma once
+// The contact solution of a step: which contacts are open, which stick, which slip, and the unknowns that go
+// with it. Newton's method on the convex potential of springs and of friction at a frozen normal force, with
+// exact line search; the normal force is renewed after every iteration. A solution is accepted only when the
+// residual of the coupled Coulomb law, friction at the present normal force, is below its tolerance in every
+// block: not when the states have stopped flipping.
+#include "equations/contact_terms.h"
+#include "equations/linear_solver.h"
+
+namespace talus {
+
+struct OpenCloseResult {
+  bool converged = false;
+  int iterations = 0;
+  double residual = 0;    // largest over blocks, of force scale
+  int worst_block = -1;
+  int singular_block = -1;  // where the matrix was not positive definite
+};
+
+class OpenClose {
+ public:
+  // Solves for d, starting at d = 0 with the contacts' last normal forces as friction limits. Tolerance and
+  // residual are relative to the forces that meet in a block (see force_floor in the source).
+  OpenCloseResult solve(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
+                        double tolerance, int max_iterations, Vector& d);
+  // Residual at d = 0 without solving.
+  OpenCloseResult judge(const Model& model, const System& system, const ContactTerms& contacts);
+  // States, forces and stretches of the last solution into the model's contacts.
+  void store(Model& model, const ContactTerms& contacts) const;
+
+ private:
+  void start(const Model& model, const System& system, const ContactTerms& contacts);
+  void evaluate(const ContactTerms& contacts, const Vector& d);
+  void residual(const System& system, const ContactTerms& contacts, bool coupled, Vector& r) const;
+  double friction_limit(const ContactRows& row, double normal) const;
+  void judge_residual(const Model& model, const System& system, const ContactTerms& contacts, OpenCloseResult& result);
+  double line_search(const ContactTerms& contacts, const Vector& p, double slope0, double curvature) const;
+
+  std::vector<double> gap_, slide_, limit_;  // per contact, at the present d; limit_: frozen friction limit, N
+  std::vector<char> closed_, stuck_, factored_closed_, factored_stuck_;
+  Vector kd_, r_, p_, kp_;
+};
+
+}  // namespace talus

@@ -1,0 +1,69 @@
+#pragma once
+// A run: a model, the parts its plan calls for, the loop over steps and those who watch it.
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/model.h"
+#include "scene/plan.h"
+
+namespace talus {
+
+class Stepper;
+class Recovery;
+
+struct StepReport {
+  long step = 0;         // accepted steps so far
+  double time = 0, dt = 0;
+  int iterations = 0;    // open–close iterations (= solves) of the accepted attempt
+  int cuts = 0;          // attempts thrown away before it
+  int factorisations = 0;
+  double residual = 0;       // contact residual / force scale, at acceptance
+  double displacement = 0;   // m, largest of any vertex
+  int closed_contacts = 0;
+};
+
+struct RunTotals {
+  long steps = 0, iterations = 0, cuts = 0, factorisations = 0;
+  int largest_iterations = 0;
+  double largest_residual = 0;
+  struct Part { std::string name; double seconds = 0; };  // CPU seconds
+  std::vector<Part> parts;
+  double& seconds(const std::string& part);
+};
+
+struct CheckLine { std::string name, value, expected; bool pass = false; };  // talus.check, kept for run.json
+
+class Simulation {
+ public:
+  explicit Simulation(Scene scene);  // builds the model; throws InputError
+  ~Simulation();
+
+  // One accepted step. Throws RunError when none can be accepted at dt_min.
+  StepReport step();
+  bool finished() const;   // t_end, the static load steps, or max_steps reached, or stop() called
+  void stop() { stopped_ = true; }
+
+  Model model;
+  Plan plan;
+  RunTotals totals;
+  StepReport last;
+  double kinetic_energy() const;  // J per m thickness
+  double strain_energy() const;
+  // Smoothed stress, brought up to date on first use after a step. Null when numerics.recovery is off.
+  const Recovery* recovery();
+
+  // Called after every accepted step (in order of registration), and once before the first (step = 0).
+  std::vector<std::function<void(Simulation&)>> on_step;
+
+ private:
+  void settle();  // equilibrium with joints that do not slide; the initial velocities stay
+
+  std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<Recovery> recovery_;
+  long recovered_step_ = -1;
+  bool stopped_ = false;
+};
+
+}  // namespace talus

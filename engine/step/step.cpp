@@ -1,0 +1,209 @@
+// One step of the simulation, top to bottom. docs/architecture.md walks through it.
+#include "step/step.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "equations/block_terms.h"
+#include "equations/boundary_terms.h"
+#include "step/part_timer.h"
+#include "step/update.h"
+
+namespace talus {
+
+namespace {
+
+// Equilibrium with contacts is found by steps against a little inertia, which a loose block needs to stay
+// put: this part of (wave speed / size)², far below the slowest mode of what is held.
+constexpr double equilibrium_inertia = 1e-4;
+constexpr int equilibrium_iterations = 200;
+
+std::string block_name(const Model& model, int block) {
+  char text[160];
+  const Vec2 at = model.blocks[block].centroid + model.origin;
+  std::snprintf(text, sizeof text, "block %d (region \"%s\", at (%.6g, %.6g))", block + 1,
+                model.scene.regions[model.shapes[block].region].name.c_str(), at.x(), at.y());
+  return text;
+}
+
+}  // namespace
+
+Stepper::Stepper(Model& model, const Plan& plan, RunTotals& totals)
+    : model_(model), plan_(plan), totals_(totals), step_size_(model) {}
+
+StepReport Stepper::dynamic_step() {
+  const Numerics& numerics = model_.scene.numerics;
+  StepReport report;
+  for (double dt = step_size_.next(model_.time);; dt = step_size_.next(model_.time), ++report.cuts) {
+    // 1. Loads, fixities and prescribed motions belong to this step's times; see Scheme.
+    const Scheme scheme = numerics.integrator == Integrator::theta ? Scheme::theta(dt, numerics.theta)
+                                                                    : Scheme::newmark(dt);
+    if (plan_.held_blocks) move_held_blocks(model_, dt);
+
+    // 2. Candidate pairs of vertices and edges, with the state of those that go on.
+    if (plan_.contacts) {
+      PartTimer timer(totals_, "contact search");
+      search_.update(model_, dt);
+    }
+
+    // 3. Open–close: everything linear once, then contacts until their law is met.
+    Vector d;
+    assemble(scheme, false);
+    const OpenCloseResult result = solve(d);
+    report.iterations = result.iterations;
+    report.residual = result.residual;
+
+    // 4. Not settled, or moved too far: nothing has been changed; again with a smaller step.
+    std::vector<BlockState> moved;
+    if (result.converged) {
+      moved = moved_blocks(model_, scheme, d);
+      report.displacement = largest_displacement(model_, moved);
+    }
+    if (!result.converged || step_size_.too_far(report.displacement)) {
+      step_size_.cut(dt, result.converged ? report.displacement : 0);
+      if (step_size_.next(model_.time) < step_size_.least()) give_up(result, dt);
+      ++totals_.cuts;
+      continue;
+    }
+
+    // 5. The step is accepted: geometry, velocities, contact and joint states.
+    accept(std::move(moved));
+    if (numerics.integrator == Integrator::newmark)
+      for (BlockState& state : model_.blocks)
+        for (double& v : state.velocity) v *= numerics.dynamic_parameter;
+    const double end = model_.scene.time.t_end;
+    model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
+    step_size_.accepted(dt, report.displacement, result.iterations);
+    report.dt = dt;
+    return report;
+  }
+}
+
+StepReport Stepper::equilibrium(bool stick) {
+  StepReport report;
+  double wave_speed2 = 0;
+  for (const Material& material : model_.scene.materials)
+    wave_speed2 = std::max(wave_speed2, material.young / material.density);
+  const double least_inertia =
+      plan_.contacts ? equilibrium_inertia * wave_speed2 / (model_.extent * model_.extent) : 0;
+  const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
+  double inertia = least_inertia;
+  for (BlockState& state : model_.blocks) state.velocity.fill(0);
+  if (plan_.held_blocks) place_held_blocks(model_);
+  Vector d;
+  OpenCloseResult result;
+  for (int i = 0; i < equilibrium_iterations; ++i) {
+    const Scheme scheme = Scheme::equilibrium(inertia);
+    if (plan_.contacts) {
+      PartTimer timer(totals_, "contact search");
+      search_.update(model_, 0);
+    }
+    assemble(scheme, stick);
+    result = open_close_.judge(model_, system_, contacts_);
+    report.residual = result.residual;
+    if (i > 0 && result.residual <= model_.scene.numerics.static_tolerance) return report;
+    result = solve(d);
+    report.iterations += result.iterations;
+    if (!result.converged && plan_.contacts && result.singular_block < 0) {
+      inertia *= 10;
+      ++totals_.cuts;
+      continue;
+    }
+    if (!result.converged) give_up(result, 0);
+    std::vector<BlockState> moved = moved_blocks(model_, scheme, d);
+    const double displacement = largest_displacement(model_, moved);
+    if (plan_.contacts && displacement > too_far) {
+      inertia *= std::max(4.0, displacement / too_far);
+      ++totals_.cuts;
+      continue;
+    }
+    inertia = std::max(least_inertia, inertia / 4);
+    report.displacement = std::max(report.displacement, displacement);
+    accept(std::move(moved));
+  }
+  not_in_equilibrium(result, d);
+}
+
+void Stepper::assemble(const Scheme& scheme, bool stick) {
+  PartTimer timer(totals_, "assembly");
+  if (revision_ != model_.revision) {
+    if (plan_.bonds || plan_.fixities) joints_.prepare(model_);
+    revision_ = model_.revision;
+  }
+  std::vector<std::pair<int, int>> pairs;
+  for (const Joint& joint : model_.joints) pairs.push_back({joint.a, joint.b});
+  for (const Contact& contact : model_.contacts) pairs.push_back({contact.i, contact.j});
+  std::vector<int> sizes;
+  for (const BlockShape& shape : model_.shapes) sizes.push_back(shape.dofs);
+  if (system_.matrix.set_pattern(sizes, std::move(pairs))) {
+    if (plan_.bonds) joints_.find_slots(model_, system_.matrix);
+    solver_.analyse(system_.matrix);
+  }
+  system_.clear(model_);
+  poses_.predict(model_, scheme);
+  add_block_terms(model_, poses_, scheme, system_);
+  if (plan_.bonds) joints_.add(model_, poses_, scheme, system_);
+  if (plan_.fixities) joints_.add_ground(model_, poses_, scheme, system_);
+  add_boundary_terms(model_, poses_, scheme, system_);
+  if (plan_.contacts) {
+    contacts_.linearise(model_, poses_, scheme, stick);
+    contacts_.find_slots(system_.matrix, model_);
+  }
+}
+
+OpenCloseResult Stepper::solve(Vector& d) {
+  PartTimer timer(totals_, "open-close and solve");
+  const Numerics& numerics = model_.scene.numerics;
+  const long before = solver_.factorisations;
+  const OpenCloseResult result = open_close_.solve(model_, system_, contacts_, solver_, numerics.contact_tolerance,
+                                                   numerics.max_iterations, d);
+  totals_.iterations += result.iterations;
+  totals_.factorisations += solver_.factorisations - before;
+  totals_.largest_iterations = std::max(totals_.largest_iterations, result.iterations);
+  return result;
+}
+
+void Stepper::accept(std::vector<BlockState> moved) {
+  PartTimer timer(totals_, "update");
+  model_.blocks = std::move(moved);
+  model_.place_vertices();
+  if (plan_.contacts) open_close_.store(model_, contacts_);
+  if (plan_.bonds) joints_.store_tractions(model_);
+}
+
+void Stepper::give_up(const OpenCloseResult& result, double dt) const {
+  char text[400];
+  if (result.singular_block >= 0) {
+    std::snprintf(text, sizeof text, "nothing holds %s: fix it, put it on something, or run the scene as dynamic",
+                  block_name(model_, result.singular_block).c_str());
+    throw RunError(text);
+  }
+  std::snprintf(text, sizeof text,
+                "t = %.9g s: no step down to %.3g s is accepted: after %d iterations the contact forces on %s are out of "
+                "balance by %.3g of what meets there",
+                model_.time, dt, result.iterations, block_name(model_, std::max(result.worst_block, 0)).c_str(),
+                result.residual);
+  std::string message = text;
+  for (const Contact& c : model_.contacts)
+    if ((c.i == result.worst_block || c.j == result.worst_block) && message.size() < 900)
+      message += "; it touches " + block_name(model_, c.i == result.worst_block ? c.j : c.i);
+  throw RunError(message);
+}
+
+void Stepper::not_in_equilibrium(const OpenCloseResult& result, const Vector& d) const {
+  int fastest = std::max(result.worst_block, 0);
+  double most = -1;
+  for (size_t b = 0; b < model_.shapes.size(); ++b) {
+    const BlockShape& shape = model_.shapes[b];
+    if (shape.dofs == 0) continue;
+    const double moved = d.segment(shape.dof_begin, shape.dofs).norm();
+    if (moved > most) {
+      most = moved;
+      fastest = int(b);
+    }
+  }
+  throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: " + block_name(model_, fastest) +
+                 " keeps moving. Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic");
+}
+
+}  // namespace talus

@@ -1,0 +1,46 @@
+#pragma once
+// One step of the simulation, and equilibrium.
+#include <vector>
+
+#include "contact/detection.h"
+#include "equations/contact_terms.h"
+#include "equations/joint_terms.h"
+#include "equations/linear_solver.h"
+#include "scene/plan.h"
+#include "step/open_close.h"
+#include "step/simulation.h"
+#include "step/time_control.h"
+
+namespace talus {
+
+class Stepper {
+ public:
+  Stepper(Model& model, const Plan& plan, RunTotals& totals);
+
+  // One accepted step from model.time. Throws RunError when none can be accepted at the least time step.
+  StepReport dynamic_step();
+  // Equilibrium under the loads of model.time. `stick`: contacts do not slide (settled start).
+  StepReport equilibrium(bool stick);
+
+ private:
+  OpenCloseResult solve(Vector& d);
+  void assemble(const Scheme& scheme, bool stick);
+  void accept(std::vector<BlockState> moved);
+  [[noreturn]] void give_up(const OpenCloseResult& result, double dt) const;
+  [[noreturn]] void not_in_equilibrium(const OpenCloseResult& result, const Vector& d) const;
+
+  Model& model_;
+  const Plan& plan_;
+  RunTotals& totals_;
+  StepSize step_size_;
+  ContactSearch search_;
+  JointTerms joints_;
+  ContactTerms contacts_;
+  Poses poses_;
+  System system_;
+  LinearSolver solver_;
+  OpenClose open_close_;
+  long revision_ = -1;
+};
+
+}  // namespace talus

@@ -1,0 +1,60 @@
+#include "step/update.h"
+
+#include "equations/block_terms.h"
+
+namespace talus {
+
+namespace {
+
+// ρ/l² ∫ |x|² over the block strained by e: its moment of inertia in units of the rotation unknown.
+double inertia(const Model& model, int block, const Vec3& e) {
+  const BlockShape& shape = model.shapes[block];
+  Mat2 stretch, moments;
+  stretch << 1 + e[0], e[2] / 2, e[2] / 2, 1 + e[1];
+  moments << shape.xx, shape.xy, shape.xy, shape.yy;
+  return model.material(block).density / (shape.length * shape.length) *
+         (stretch * moments * stretch.transpose()).trace();
+}
+
+}  // namespace
+
+std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, const Vector& d) {
+  std::vector<BlockState> moved = model.blocks;
+  for (size_t b = 0; b < moved.size(); ++b) {
+    const BlockShape& shape = model.shapes[b];
+    BlockState& state = moved[b];
+    const auto v0 = state.velocity;
+    std::array<double, max_dofs> move{};
+    for (int k = 0; k < max_dofs; ++k) {
+      const double dk = k < shape.dofs ? d[shape.dof_begin + k] : 0;
+      move[k] = scheme.step_v * v0[k] + scheme.move_d * dk;
+      state.velocity[k] = scheme.step_v > 0 ? v0[k] + scheme.velocity_d * dk : v0[k];
+    }
+    const Vec3 strain0 = state.strain;
+    state.shift += Vec2(move[0], move[1]);
+    state.centroid = shape.reference_centroid + state.shift;
+    state.angle += move[2] / shape.length;
+    state.strain += Vec3(move[3], move[4], move[5]) / shape.length;
+    if (shape.dofs > 3 && scheme.step_v > 0) {
+      // Solved with the reference moment I; the spin momentum I(e) ω is what is kept.
+      const double i = inertia(model, int(b), Vec3::Zero()), before = inertia(model, int(b), strain0),
+                   after = inertia(model, int(b), state.strain);
+      state.velocity[2] = (before * v0[2] + i * (state.velocity[2] - v0[2])) / after;
+    }
+  }
+  return moved;
+}
+
+double largest_displacement(const Model& model, const std::vector<BlockState>& moved) {
+  double largest = 0;
+  for (size_t b = 0; b < moved.size(); ++b) {
+    const BlockState &from = model.blocks[b], &to = moved[b];
+    // A bound that is sharp for translation and for rotation about the centroid.
+    const double turn = 2 * std::abs(std::sin((to.angle - from.angle) / 2));
+    const double strain = (to.strain - from.strain).norm();
+    largest = std::max(largest, (to.shift - from.shift).norm() + model.shapes[b].radius * (turn + strain));
+  }
+  return largest;
+}
+
+}  // namespace talus

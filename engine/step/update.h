@@ -1,0 +1,15 @@
+#pragma once
+// From the unknowns of a step to new block states.
+#include "equations/scheme.h"
+#include "equations/system.h"
+
+namespace talus {
+
+// States after the step: centroids moved, blocks turned exactly, strain added in the blocks' own axes. The spin
+// is what keeps angular momentum about the centroid as the block's moments change with its strain.
+std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, const Vector& d);
+
+// Largest displacement of any vertex between the model's states and `moved`, m.
+double largest_displacement(const Model& model, const std::vector<BlockState>& moved);
+
+}  // namespace talus

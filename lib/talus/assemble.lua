@@ -1,0 +1,228 @@
+-- A checked talus.simulation -> the flat scene for the engine, and what has to be told to the engine when an
+-- object is changed later. Each object gets one index, however often it is used; a joint whose stiffness goes
+-- by Young's modulus gets one for each modulus.
+local native = require "talus.native"
+local object = require "talus.object"
+local places = require "talus.places"
+local flatten = require "talus.flatten"
+local profile = require "talus.profile"
+local get, given = object.get, object.given
+
+-- Named objects of one kind in order of first use: what sim:material(name) and its like look through.
+local function new_roster(word)
+  local roster = { word = word, list = {}, names = {}, index = {} }
+  function roster.add(self)
+    if roster.index[self] then return roster.names[roster.index[self]] end
+    local name = given(self, "name") or ("%s %d"):format(word, #roster.list + 1)
+    roster.list[#roster.list + 1] = self
+    roster.names[#roster.names + 1] = name
+    roster.index[self] = #roster.list
+    return name
+  end
+  return roster
+end
+
+local function new_assembly(simulation)
+  return {
+    simulation = simulation,
+    profile = profile.by_name[get(given(simulation, "numerics") or profile.presets.default, "profile")],
+    rosters = { material = new_roster "material", joint = new_roster "joint", region = new_roster "region",
+                fix = new_roster "fix", load = new_roster "load" },
+    scene = { materials = {}, properties = {}, regions = {}, contact_rules = {}, fixities = {}, point_loads = {},
+              edge_loads = {}, probes = {} },
+    properties = {},  -- joint -> { [young or false] = index }
+    changes = {},     -- { object, list, index, flat = function() … end }
+  }
+end
+
+local function on_change(assembly, self, list, index, flat)
+  table.insert(assembly.changes, { object = self, list = list, index = index, flat = flat })
+end
+
+local function material_index(assembly, material)
+  local roster = assembly.rosters.material
+  local index = roster.index[material]
+  if index then return index end
+  local name = roster.add(material)
+  index = roster.index[material]
+  local function flat() return flatten.material(material, name) end
+  assembly.scene.materials[index] = flat()
+  on_change(assembly, material, "materials", index, flat)
+  return index
+end
+
+local function joint_index(assembly, joint, young)
+  local stiffness = profile.joint_value(joint, "stiffness", assembly.profile)
+  local key = type(stiffness) ~= "number" and given(stiffness, "times_young") and young or false
+  local known = assembly.properties[joint] or {}
+  assembly.properties[joint] = known
+  if known[key] then return known[key] end
+  local name = assembly.rosters.joint.add(joint)
+  local function flat() return flatten.joint(joint, name, assembly.profile, young) end
+  local index = #assembly.scene.properties + 1
+  known[key] = index
+  assembly.scene.properties[index] = flat()
+  on_change(assembly, joint, "properties", index, flat)
+  return index
+end
+
+local function young_of(region)
+  return given(given(region, "material"), "young")
+end
+
+local function softest(regions)
+  local young = math.huge
+  for _, region in ipairs(regions) do young = math.min(young, young_of(region)) end
+  return young
+end
+
+-- The region that `wanted`, a name or a region, stands for; `asker` is the object that names it.
+local function find_region(assembly, wanted, asker)
+  local roster = assembly.rosters.region
+  if roster.index[wanted] then return wanted end
+  if type(wanted) == "string" then
+    for i, name in ipairs(roster.names) do
+      if name == wanted then return roster.list[i] end
+    end
+  end
+  local name = type(wanted) == "string" and wanted or given(wanted, "name") or "of this name"
+  places.fail(object.place(asker), ("%s.region: the simulation has no region %q%s"):format(object.kind(asker), name,
+    native.suggestion(name, roster.names)))
+end
+
+local function links_of(assembly)
+  return {
+    region = function(wanted, asker) return find_region(assembly, wanted, asker) end,
+    region_index = function(wanted, asker)
+      return wanted and assembly.rosters.region.index[find_region(assembly, wanted, asker)]
+    end,
+  }
+end
+
+local function add_regions(assembly, regions, contact)
+  local roster = assembly.rosters.region
+  for i, region in ipairs(regions) do
+    if roster.index[region] then
+      places.fail(object.place(region), ("simulation.regions[%d]: expected another region, got the same twice"):format(i))
+    end
+    for k, name in ipairs(roster.names) do
+      if name == given(region, "name") then
+        places.fail(object.place(region), ("region.name: expected a name of its own, got %q, the name of region %d"):format(name, k))
+      end
+    end
+    local name = roster.add(region)
+    local function property(joint) return joint_index(assembly, joint, young_of(region)) end
+    assembly.scene.regions[i] = flatten.region(region, name, material_index(assembly, given(region, "material")), property, contact)
+  end
+end
+
+local function add_contacts(assembly, rules)
+  for i, rule in ipairs(rules) do
+    local between = given(rule, "between")
+    if #between ~= 2 then
+      places.fail(object.place(rule), ("contact.between: expected two regions, got %d"):format(#between))
+    end
+    local a, b = find_region(assembly, between[1], rule), find_region(assembly, between[2], rule)
+    local index = assembly.rosters.region.index
+    assembly.scene.contact_rules[i] = { place = object.place(rule), region_a = index[a], region_b = index[b],
+      property = joint_index(assembly, given(rule, "joint"), softest { a, b }) }
+  end
+end
+
+local function add_entries(assembly, self, list_name, flatten_kind, name, links)
+  local list = assembly.scene[list_name]
+  for i, entry in ipairs(flatten_kind(self, name, links)) do
+    list[#list + 1] = entry
+    on_change(assembly, self, list_name, #list, function() return flatten_kind(self, name, links)[i] end)
+  end
+end
+
+local load_lists = { point_load = "point_loads", edge_load = "edge_loads", pressure = "edge_loads" }
+
+local function add_boundaries(assembly, links)
+  for _, fix in ipairs(given(assembly.simulation, "fix") or {}) do
+    add_entries(assembly, fix, "fixities", flatten.fix, assembly.rosters.fix.add(fix), links)
+  end
+  for _, load in ipairs(given(assembly.simulation, "loads") or {}) do
+    local kind = object.kind(load)
+    add_entries(assembly, load, load_lists[kind], flatten[kind], assembly.rosters.load.add(load), links)
+  end
+end
+
+local function add_probes(assembly, links)
+  for i, entry in ipairs(given(assembly.simulation, "probes") or {}) do
+    local probe = entry.value
+    local is_object = object.kind(probe) == "probe"
+    assembly.scene.probes[i] = {
+      name = entry.name,
+      place = is_object and object.place(probe) or object.place(assembly.simulation),
+      at = is_object and probe.at or probe,
+      region = is_object and links.region_index(given(probe, "region"), probe) or nil,
+    }
+  end
+end
+
+local function time_of(time)
+  local flat = { place = object.place(time) }
+  for _, name in ipairs { "mode", "t_end", "steps", "dt", "dt_min", "dt_max", "displacement_ratio", "max_steps" } do
+    flat[name] = get(time, name)
+  end
+  flat.settled_start = get(time, "start") == "settled"
+  return flat
+end
+
+local function numerics_of(numerics)
+  local flat = {}
+  for _, name in ipairs { "profile", "integrator", "theta", "dynamic_parameter", "contact_tolerance", "static_tolerance",
+      "max_iterations", "threads", "recovery" } do
+    flat[name] = profile.numerics_value(numerics, name)
+  end
+  return flat
+end
+
+local function picture_of(flat, picture)
+  flat.picture = picture ~= false
+  if type(picture) == "string" then
+    flat.picture_field = picture
+  elseif object.kind(picture) then
+    flat.picture_field, flat.picture_scale = get(picture, "field"), get(picture, "scale")
+  end
+end
+
+local function output_of(output, simulation)
+  if not output then return { place = object.place(simulation) } end
+  local flat = { place = object.place(output), dir = given(output, "dir"), every = given(output, "every"), vtk = get(output, "vtk") }
+  picture_of(flat, get(output, "picture"))
+  return flat
+end
+
+-- The choice of fields is for the engine to know; laws go beside, as it calls them with blocks of the run.
+local function fields_of(output)
+  local fields = {}
+  for i, entry in ipairs(output and given(output, "fields") or {}) do
+    fields[i] = { name = entry.name, law = entry.value }
+  end
+  return fields
+end
+
+local function assemble(simulation)
+  local assembly = new_assembly(simulation)
+  local scene, links = assembly.scene, links_of(assembly)
+  local regions = given(simulation, "regions")
+  local contact = given(simulation, "contact") or object.new("joint", { name = "contact" }, object.place(simulation))
+  scene.file = object.place(simulation).file
+  scene.title, scene.gravity, scene.max_blocks = given(simulation, "title"), get(simulation, "gravity"), get(simulation, "max_blocks")
+  add_regions(assembly, regions, contact)
+  scene.contact = joint_index(assembly, contact, softest(regions))
+  add_contacts(assembly, given(simulation, "contacts") or {})
+  add_boundaries(assembly, links)
+  add_probes(assembly, links)
+  scene.time = time_of(given(simulation, "time"))
+  scene.numerics = numerics_of(given(simulation, "numerics") or profile.presets.default)
+  scene.output = output_of(given(simulation, "output"), simulation)
+  scene.fields = fields_of(given(simulation, "output"))
+  scene.on_step, scene.on_output = given(simulation, "on_step"), given(simulation, "on_output")
+  return assembly
+end
+
+return assemble

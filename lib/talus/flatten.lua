@@ -1,0 +1,201 @@
+-- One object -> the flat table that the engine reads: references are 1-based indices, choices are plain words,
+-- defaults are filled in. `links` resolves references (assemble.lua).
+local object = require "talus.object"
+local places = require "talus.places"
+local profile = require "talus.profile"
+local get, given = object.get, object.given
+
+local flatten = {}
+
+-- The named fields, as given or by default.
+local function fields_of(self, names)
+  local flat = { place = object.place(self) }
+  for _, name in ipairs(names) do flat[name] = get(self, name) end
+  return flat
+end
+
+function flatten.material(material, name)
+  local flat = fields_of(material, { "density", "young", "poisson", "plane" })
+  flat.name = name
+  return flat
+end
+
+-- A joint that stands for contacts or bonds of rock with Young's modulus `young`.
+function flatten.joint(joint, name, chosen, young)
+  local flat = { place = object.place(joint), name = name }
+  for _, field in ipairs { "friction", "cohesion", "tension", "bond", "penalty", "shear_ratio" } do
+    flat[field] = profile.joint_value(joint, field, chosen)
+  end
+  local stiffness = profile.joint_value(joint, "stiffness", chosen)
+  if type(stiffness) == "number" then
+    flat.stiffness_kind, flat.stiffness = "length", stiffness
+  else
+    flat.stiffness_kind = get(stiffness, "per")
+    flat.stiffness = given(stiffness, "value") or given(stiffness, "times_young")*young
+  end
+  return flat
+end
+
+local function box_of(region)
+  local low, high = { math.huge, math.huge }, { -math.huge, -math.huge }
+  local outlines = given(region, "blocks") or { given(region, "outline") }
+  for _, outline in ipairs(outlines) do
+    for _, point in ipairs(given(outline, "points")) do
+      for i = 1, 2 do
+        low[i], high[i] = math.min(low[i], point[i]), math.max(high[i], point[i])
+      end
+    end
+  end
+  return low, high
+end
+
+local function side_of(region, side)
+  local low, high = box_of(region)
+  local left_bottom, right_bottom, right_top, left_top = low, { high[1], low[2] }, high, { low[1], high[2] }
+  local ends = {
+    left = { left_bottom, left_top }, right = { right_bottom, right_top },
+    bottom = { left_bottom, right_bottom }, top = { left_top, right_top },
+  }
+  return { kind = "line", from = ends[side][1], to = ends[side][2] }
+end
+
+-- `on` of a fixity or load as a list of { kind, from, to }.
+local function targets(self, links)
+  local on = given(self, "on")
+  if not on then return { { kind = "region" } } end
+  local list = {}
+  for i, one in ipairs(on) do
+    local kind = object.kind(one)
+    if kind == "line" then
+      list[i] = { kind = "line", from = one.from, to = one.to }
+    elseif kind == "point" then
+      list[i] = { kind = "point", from = one.at }
+    else
+      list[i] = side_of(links.region(given(self, "region"), self), one)
+    end
+  end
+  return list
+end
+
+-- The following return a list: one entry for each line or side that the object acts on.
+function flatten.fix(fix, name, links)
+  local list = {}
+  local x, y = given(fix, "x"), given(fix, "y")
+  if x == nil then x = y ~= true end
+  if y == nil then y = given(fix, "x") ~= true end
+  for i, on in ipairs(targets(fix, links)) do
+    list[i] = { place = object.place(fix), name = name, region = links.region_index(given(fix, "region"), fix), on = on,
+                x = x, y = y, displacement = given(fix, "displacement"), velocity = given(fix, "velocity"),
+                spin = get(fix, "spin") }
+  end
+  return list
+end
+
+function flatten.point_load(load, name, links)
+  local flat = fields_of(load, { "at", "force" })
+  flat.name = name
+  flat.region = links.region_index(given(load, "region"), load)
+  return { flat }
+end
+
+local function edge_load(load, name, links)
+  local list = {}
+  for i, on in ipairs(targets(load, links)) do
+    list[i] = { place = object.place(load), name = name, region = links.region_index(given(load, "region"), load), on = on }
+  end
+  return list
+end
+
+function flatten.edge_load(load, name, links)
+  local list = edge_load(load, name, links)
+  for _, flat in ipairs(list) do flat.traction = given(load, "traction") end
+  return list
+end
+
+function flatten.pressure(load, name, links)
+  local list = edge_load(load, name, links)
+  for _, flat in ipairs(list) do flat.pressure = given(load, "value") end
+  return list
+end
+
+local function flatten_source(source, far, region, holes)
+  local at, size = given(source, "at"), given(source, "size")
+  local flat = { size = size, reach = given(source, "reach") or math.max((far - size)/0.3, size) }
+  local kind = object.kind(at)
+  if kind == "line" then
+    flat.points = { at.from, at.to }
+  elseif kind == "point" then
+    flat.points = { at.at }
+  elseif type(at) == "table" then
+    flat.points = { at }
+  else
+    flat.hole = holes[at]
+    if not flat.hole then
+      places.expected({ place = object.place(source), path = "grade.at" },
+        ("the name of a hole of region %q"):format(region), at)
+    end
+  end
+  return flat
+end
+
+local function flatten_mesh(mesh, region, holes)
+  local flat = fields_of(mesh, { "kind", "nx", "ny" })
+  local size = given(mesh, "size")
+  if type(size) == "number" then
+    flat.size = size
+  elseif type(size) == "function" then
+    flat.size_law = size
+  elseif size then
+    local far = given(size, "far")
+    flat.grade = { far = far, sources = {} }
+    for i, source in ipairs(given(size, "sources")) do
+      flat.grade.sources[i] = flatten_source(source, far, region, holes)
+    end
+  end
+  return flat
+end
+
+local function flatten_cuts(flat, region, joint_index)
+  flat.traces, flat.joint_sets = {}, {}
+  for _, cut in ipairs(given(region, "cuts") or {}) do
+    local list, entry
+    if object.kind(cut) == "trace" then
+      list, entry = flat.traces, fields_of(cut, { "points", "bonded" })
+    else
+      list, entry = flat.joint_sets, fields_of(cut, { "dip", "spacing", "persistence", "trace_length", "spacing_scatter",
+        "dip_scatter", "through", "seed", "bonded" })
+    end
+    local joint = given(cut, "joint")
+    entry.property = joint and joint_index(joint) or flat.joint
+    list[#list + 1] = entry
+  end
+end
+
+local function flatten_stress(stress)
+  return { value = { get(stress, "sxx"), get(stress, "syy"), get(stress, "sxy") },
+           gradient_x = get(stress, "gradient_x"), gradient_y = get(stress, "gradient_y") }
+end
+
+-- `joint_index(joint)` is the index of a property for this region; `default_joint` that of a region without one.
+function flatten.region(region, name, material_index, joint_index, default_joint)
+  local flat = fields_of(region, { "held", "velocity", "spin", "spin_centre", "body_force" })
+  flat.name, flat.material = name, material_index
+  flat.joint = joint_index(given(region, "joint") or default_joint)
+  flat.order = get(region, "order") == "rigid" and "rigid" or "first"
+  flat.outlines, flat.holes = {}, {}
+  for i, outline in ipairs(given(region, "blocks") or { given(region, "outline") }) do
+    flat.outlines[i] = given(outline, "points")
+  end
+  local holes = {}
+  for i, outline in ipairs(given(region, "holes") or {}) do
+    local hole = given(outline, "name") or ("hole %d"):format(i)
+    holes[hole] = i
+    flat.holes[i] = { place = object.place(outline), name = hole, outline = given(outline, "points") }
+  end
+  if given(region, "mesh") then flat.mesh = flatten_mesh(given(region, "mesh"), name, holes) end
+  flatten_cuts(flat, region, joint_index)
+  if given(region, "stress") then flat.stress = flatten_stress(given(region, "stress")) end
+  return flat
+end
+
+return flatten

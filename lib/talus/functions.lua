@@ -1,0 +1,43 @@
+-- Calls that take no table of fields, for the reference page.
+return {
+  {
+    title = "A running simulation",
+    doc = "What `talus.simulation` returns. It can be read at any time and changed between steps and in handlers; "
+      .. "inside a step (in a law) it can only be read.",
+    { "sim:step()", "one accepted step; its status {step, time, dt, iterations, cuts, factorisations, residual, displacement, closed_contacts}, or nil when the run is finished" },
+    { "for status in sim:steps() do", "steps until the run is finished" },
+    { "sim:run()", "the same, without stopping in between; the status of the last step" },
+    { "sim:stop()", "finishes the run after this step" },
+    { "sim:output()", "writes one output time now" },
+    { "sim:log(format, …)", "prints a line with the time, formatted as by string.format" },
+    { "sim.time, sim.dt", "time now, last step (s)" },
+    { "sim.finished, sim.last", "whether the run is finished; status of the last step" },
+    { "sim.energy", "{kinetic, strain} (J per metre)" },
+    { "sim.totals", "{steps, iterations, cuts, factorisations, largest_iterations, largest_residual, seconds}; seconds: CPU time by part" },
+    { "sim:material(name), sim:joint(name), sim:fix(name), sim:load(name), sim:region(name)", "the object as the script made it, by name or number: `sim:load(\"push\").force = {0, -2e3}`" },
+    { "sim.blocks[7].sxx", "a field of one block (or joint, contact, probe), numbered from 1" },
+    { "#sim.blocks", "how many; `ipairs` and `pairs` go through them" },
+    { "sim.blocks:field(\"sxx\")", "a field of all of them, as a list" },
+    { "sim.blocks:select(function(block) return block.uy < 0 end)", "a list of those for which the function returns true" },
+    { "sim.blocks:where { region = \"beam\" }", "a list of those whose fields equal the given values" },
+    { "sim.probes.tip.uy", "probes by name" },
+    { "block.velocity = {vx, vy}, block.spin = w", "sets a block's velocity (m/s) and spin (rad/s)" },
+  },
+  {
+    title = "Checks",
+    doc = "Each prints one line, PASS or FAIL, and is kept in run.json. Any FAIL makes the exit status 1.",
+    { "talus.check.near(name, value, expected, {rel = r, abs = a})", "abs(value - expected) <= max(r*abs(expected), a)" },
+    { "talus.check.below(name, value, bound)", "value < bound" },
+    { "talus.check.above(name, value, bound)", "value > bound" },
+    { "talus.check.between(name, value, low, high)", "low <= value <= high" },
+    { "talus.check.equal(name, value, expected)", "value == expected" },
+    { "talus.check.truth(name, value)", "value is true" },
+  },
+  {
+    title = "Parameters and running",
+    doc = "`talus scene.lua -p size=0.1 -o out/fine`. With -o, the second and later simulations of a script write to "
+      .. "`<dir>/2`, `<dir>/3`, …; without it each needs an output.dir of its own.",
+    { "talus.param(name, default [, meaning])", "default, or what `-p name=value` says: a number, a text, true or false, as the default is. All are declared before the first simulation" },
+    { "require \"part\"", "runs part.lua in the scene's folder once; Lua's io, debug and most of os are not there" },
+  },
+}

@@ -1,0 +1,45 @@
+-- The Lua face of Talus: local talus = require "talus"
+local native = require "talus.native"
+local object = require "talus.object"
+local places = require "talus.places"
+local shape_types = require "talus.shape_types"
+
+local talus = {}
+
+-- A table whose unknown keys are answered with the nearest known one.
+local function closed(name, contents)
+  return setmetatable({}, {
+    __index = function(_, key)
+      if contents[key] ~= nil then return contents[key] end
+      local names = {}
+      for known in pairs(contents) do names[#names + 1] = known end
+      table.sort(names)
+      places.fail(places.here(), ("%s.%s: there is no such thing%s"):format(name, key, native.suggestion(tostring(key), names)))
+    end,
+    __newindex = function(_, key)
+      places.fail(places.here(), ("%s.%s cannot be set"):format(name, key))
+    end,
+    __pairs = function() return pairs(contents) end,
+    __metatable = false,
+  })
+end
+
+for _, kind in ipairs { "material", "joint", "trace", "joint_set", "fix", "point_load", "edge_load", "pressure",
+    "contact", "probe", "grade" } do
+  talus[kind] = function(fields) return object.new(kind, fields) end
+end
+
+function talus.region(fields)
+  local region = object.new("region", fields)
+  shape_types.try_size(region)
+  return region
+end
+
+for name, shape in pairs(require "talus.shapes") do talus[name] = shape end
+talus.simulation = require "talus.simulation"
+talus.param = require "talus.param"
+talus.units = closed("talus.units", require("talus.units").units)
+talus.check = closed("talus.check", require "talus.check")
+talus.profile = closed("talus.profile", require("talus.profile").presets)
+
+return closed("talus", talus)

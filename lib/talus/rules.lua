@@ -1,0 +1,80 @@
+-- What must hold between the fields of one object. A rule gets the given values and `bad(field, expected, got)`.
+local rules = {}
+
+local function one_of(values, a, b, bad)
+  if values[a] == nil and values[b] == nil then bad(nil, ("%s or %s"):format(a, b), "neither") end
+  if values[a] ~= nil and values[b] ~= nil then bad(nil, ("%s or %s"):format(a, b), "both") end
+end
+
+function rules.region(values, bad)
+  one_of(values, "outline", "blocks", bad)
+  if not values.blocks then return end
+  for _, name in ipairs { "holes", "mesh", "cuts" } do
+    if values[name] then bad(name, "an outline to go with it", "ready blocks") end
+  end
+end
+
+function rules.mesh(values, bad)
+  local is_pattern = values.kind ~= nil and values.kind ~= "triangles"
+  if (values.nx == nil) ~= (values.ny == nil) then bad(values.nx and "ny" or "nx", "both nx and ny", "one of them") end
+  if values.nx and not is_pattern then bad("nx", 'kind "cross", "diagonal" or "alternating"', "triangles") end
+  if values.size == nil and not values.nx then bad("size", "a size (m)" .. (is_pattern and " or nx and ny" or ""), "nothing") end
+  if values.size ~= nil and values.nx then bad("size", "a size or nx and ny", "both") end
+  if is_pattern and values.size ~= nil and type(values.size) ~= "number" then
+    bad("size", "a number for a pattern", "a size field")
+  end
+end
+
+function rules.grade(values, bad)
+  for i, source in ipairs(values.sources or {}) do
+    if source.size > values.far then
+      bad(("sources[%d].size"):format(i), ("at most far = %g (m)"):format(values.far), ("%g"):format(source.size))
+    end
+  end
+end
+
+function rules.stiffness(values, bad)
+  one_of(values, "value", "times_young", bad)
+  if values.times_young and values.per ~= "contact" then bad("times_young", 'per = "contact"', "stiffness per length") end
+end
+
+function rules.joint_set(values, bad)
+  if values.persistence and values.persistence < 1 and not values.trace_length then
+    bad("trace_length", "a number > 0 (m), as persistence < 1", "nothing")
+  end
+end
+
+function rules.fix(values, bad)
+  if values.displacement and values.velocity then bad(nil, "displacement or velocity", "both") end
+  if values.spin and values.on then bad("spin", "a fixity of the whole region", "one with `on`") end
+  if values.x == false and values.y == false then bad(nil, "x or y to be held", "neither") end
+end
+
+function rules.line(values, bad)
+  if values.from[1] == values.to[1] and values.from[2] == values.to[2] then
+    bad(nil, "two different points", ("{%g, %g} twice"):format(values.from[1], values.from[2]))
+  end
+end
+
+function rules.rect(values, bad)
+  if values.from[1] == values.to[1] or values.from[2] == values.to[2] then
+    bad(nil, "opposite corners of a rectangle with positive area",
+      ("(%g, %g) and (%g, %g)"):format(values.from[1], values.from[2], values.to[1], values.to[2]))
+  end
+end
+
+function rules.time(values, bad)
+  if values.mode == "static" then
+    for _, name in ipairs { "dt", "dt_min", "dt_max" } do
+      if values[name] then bad(name, 'mode = "dynamic"', "static: steps divide the load, not time") end
+    end
+    return
+  end
+  if not values.t_end or values.t_end == 0 then bad("t_end", "a number > 0 (s) in dynamic mode", values.t_end or "nothing") end
+  if values.steps then bad("steps", 'mode = "static"', "dynamic: give dt or displacement_ratio") end
+  if values.dt_min and values.dt_max and values.dt_min > values.dt_max then
+    bad("dt_min", ("at most dt_max = %g (s)"):format(values.dt_max), ("%g"):format(values.dt_min))
+  end
+end
+
+return rules

@@ -1,0 +1,78 @@
+-- The simulation: what it is made of, time, numerics and output.
+local handler = { type = "function" }
+
+return {
+  {
+    kind = "simulation", call = "talus.simulation",
+    doc = "Puts a scene together and builds it. A simulation that the script does not step is run by the program when "
+      .. "the script has ended.",
+    fields = {
+      { name = "title", type = "string", default_doc = "the script's name", doc = "for output" },
+      { name = "regions", type = "list", of = { type = "object", kinds = { "region" } }, count = 1, required = true, doc = "the regions" },
+      { name = "gravity", type = "vector", unit = "m/s2", default = { 0, 0 }, doc = "acceleration of gravity" },
+      { name = "contact", type = "object", kinds = { "joint" }, default_doc = "a joint with its defaults", doc = "property of contacts between regions" },
+      { name = "contacts", type = "list", of = { type = "object", kinds = { "contact" } }, doc = "rules for pairs of regions" },
+      { name = "fix", type = "list", of = { type = "object", kinds = { "fix" } }, doc = "what is held or moved" },
+      { name = "loads", type = "list", of = { type = "object", kinds = { "point_load", "edge_load", "pressure" } }, doc = "loads" },
+      { name = "probes", type = "map", of = { type = "any", of = { { type = "object", kinds = { "probe" }, inline = true }, { type = "point", unit = "m" } } },
+        doc = "`{ tip = {7.9, 0.5} }`" },
+      { name = "time", type = "object", kinds = { "time" }, inline = true, required = true, doc = "how far and how" },
+      { name = "numerics", type = "object", kinds = { "numerics" }, inline = true, default_doc = "`talus.profile.default`", doc = "choices of method" },
+      { name = "output", type = "object", kinds = { "output" }, inline = true, default_doc = "nothing is written", doc = "what is written" },
+      { name = "on_step", type = handler.type, doc = "`function(sim)`, called once after each accepted step" },
+      { name = "on_output", type = handler.type, doc = "`function(sim)`, called after each output time was written" },
+      { name = "max_blocks", type = "integer", least = 1, default = 200000, doc = "a mesh that would give more is refused" },
+    },
+  },
+  {
+    kind = "time", call = "", doc = "Time control of a simulation.",
+    fields = {
+      { name = "mode", type = "enum", values = { "dynamic", "static" }, default = "dynamic", doc = "`static` solves for equilibrium" },
+      { name = "t_end", type = "number", least = 0, unit = "s", default = 0, default_doc = "static: 0; dynamic: required",
+        doc = "end; static: load histories run from 0 to it" },
+      { name = "steps", type = "integer", least = 1, most = 1000000, default = 1, doc = "static: load steps" },
+      { name = "dt", type = "number", above = 0, unit = "s", default_doc = "automatic", doc = "fixed time step" },
+      { name = "dt_min", type = "number", above = 0, unit = "s", default_doc = "1e-6 of the first step", doc = "least step; below it the run stops with an error" },
+      { name = "dt_max", type = "number", above = 0, unit = "s", default_doc = "t_end/10", doc = "largest step" },
+      { name = "displacement_ratio", type = "number", above = 0, most = 0.1, default = 0.005,
+        doc = "largest displacement a step / half the height of the scene", source = "Shi 1988" },
+      { name = "start", type = "enum", values = { "rest", "settled" }, default = "rest",
+        doc = "`rest`: as given; `settled`: from static equilibrium with joints that do not slide" },
+      { name = "max_steps", type = "integer", least = 0, default = 0, default_doc = "no bound", doc = "most steps" },
+    },
+  },
+  {
+    kind = "numerics", call = "",
+    doc = "Choices of method. `numerics = talus.profile.ning2011` takes a profile as it is, "
+      .. "`numerics = { profile = \"ning2011\", threads = 2 }` changes something in it.",
+    fields = {
+      { name = "profile", type = "enum", values = { "default", "ning2011" }, default = "default", doc = "where the other choices come from, see Profiles" },
+      { name = "integrator", type = "enum", values = { "theta", "newmark" }, default = "theta", doc = "velocity θ-scheme, or Newmark (½, 1)" },
+      { name = "theta", type = "number", least = 0.5, most = 1, default = 0.75, doc = "θ of the θ-scheme; ½ keeps waves", source = "damps as Newmark (0.5625, 1)" },
+      { name = "dynamic_parameter", type = "number", least = 0, most = 1, default = 1, doc = "part of the velocity that a step inherits (newmark)", source = "Shi 1988" },
+      { name = "contact_tolerance", type = "number", above = 0, most = 1e-2, default = 1e-8, doc = "contact residual / force scale of a block" },
+      { name = "static_tolerance", type = "number", above = 0, most = 1e-2, default = 1e-8, doc = "out-of-balance force / force scale" },
+      { name = "max_iterations", type = "integer", least = 1, most = 10000, default = 60, doc = "open–close iterations before a step is cut" },
+      { name = "threads", type = "integer", least = 1, most = 1024, default = 1, doc = "threads of the linear solver" },
+      { name = "recovery", type = "boolean", default = true, doc = "smoothed stress for output and probes, beside the raw one" },
+    },
+  },
+  {
+    kind = "output", call = "", doc = "What is written, and where.",
+    fields = {
+      { name = "dir", type = "string", default_doc = "nothing is written", doc = "folder, from where the program runs; `-o` goes before it" },
+      { name = "every", type = "number", above = 0, unit = "s", default_doc = "first and last only", doc = "time between outputs" },
+      { name = "vtk", type = "boolean", default = true, doc = "VTK series of blocks and joints" },
+      { name = "picture", type = "any", of = { { type = "boolean" }, { type = "string" }, { type = "object", kinds = { "picture" }, inline = true } },
+        default = true, doc = "SVG pictures: true, false, a field's name, or a `picture` table" },
+      { name = "fields", type = "map", of = { type = "function" }, doc = "arrays of one's own: `{ name = function(block) return number end }`" },
+    },
+  },
+  {
+    kind = "picture", call = "", doc = "How pictures look.",
+    fields = {
+      { name = "field", type = "string", default = "s1", doc = "field of blocks to colour by, see Fields of blocks" },
+      { name = "scale", type = "number", least = 0, default = 0, default_doc = "1", doc = "magnification of displacements" },
+    },
+  },
+}

@@ -1,0 +1,81 @@
+-- Field types that take shapes: outline, polyline, size, on, region.
+local native = require "talus.native"
+local object = require "talus.object"
+local places = require "talus.places"
+local types = require "talus.types"
+
+local point = { type = "point", unit = "m" }
+
+-- A talus.polygon, rect or circle, or a plain list of points; kept as an outline object.
+types.outline = {}
+function types.outline.expected() return "an outline (talus.rect, talus.circle, talus.polygon or a list of points)" end
+function types.outline.check(value, _, where)
+  if object.kind(value) == "outline" then return value end
+  if type(value) ~= "table" or getmetatable(value) ~= nil then places.expected(where, types.outline.expected(), value) end
+  if #value < 3 then
+    places.fail(where.place, ("%s: expected an outline of 3 or more points, got %d"):format(where.path, #value))
+  end
+  return object.wrap("outline", { points = types.check(value, { type = "list", of = point }, where) }, where.place)
+end
+
+-- Two or more points; kept as a list of points.
+types.polyline = {}
+function types.polyline.expected() return "a list of 2 or more points, or a talus.line" end
+function types.polyline.check(value, _, where)
+  if object.kind(value) == "line" then return { value.from, value.to } end
+  if type(value) ~= "table" or getmetatable(value) ~= nil then places.expected(where, types.polyline.expected(), value) end
+  if #value < 2 then
+    places.fail(where.place, ("%s: expected 2 or more points, got %d"):format(where.path, #value))
+  end
+  return types.check(value, { type = "list", of = point }, where)
+end
+
+-- A mesh size. A function is tried when its region is made, where the outline is known.
+types.size = {}
+local size_number = { type = "number", above = 0, unit = "m" }
+function types.size.expected() return "a number > 0 (m), a talus.grade or a function of x and y" end
+function types.size.check(value, _, where)
+  if type(value) == "number" then return types.check(value, size_number, where) end
+  if type(value) == "function" or object.kind(value) == "grade" then return value end
+  places.expected(where, types.size.expected(), value)
+end
+
+-- What a fixity or load acts on; kept as a list of lines, points and names of sides.
+types.on = {}
+local sides = { type = "enum", values = { "left", "right", "top", "bottom" } }
+function types.on.expected(spec)
+  return ("a talus.line, %sor sides of the region (%s)"):format(spec.points and "a talus.point " or "", types.expected(sides))
+end
+local function check_one_on(value, spec, where)
+  local kind = object.kind(value)
+  if kind == "line" or kind == "point" and spec.points then return value end
+  if type(value) == "string" then return types.check(value, sides, where) end
+  places.expected(where, types.on.expected(spec), value)
+end
+function types.on.check(value, spec, where)
+  if type(value) ~= "table" or object.kind(value) then return { check_one_on(value, spec, where) } end
+  if #value == 0 then places.expected(where, types.on.expected(spec), value) end
+  local kept = {}
+  for i, one in ipairs(value) do kept[i] = check_one_on(one, spec, places.inside(where, ("[%d]"):format(i))) end
+  return kept
+end
+
+-- A region by name or itself; resolved when the simulation is put together.
+types.region = {}
+function types.region.expected() return "a region's name or a talus.region" end
+function types.region.check(value, _, where)
+  if object.kind(value) == "region" or type(value) == "string" then return value end
+  places.expected(where, types.region.expected(), value)
+end
+
+-- Tries a size function at the region's first corner.
+local function try_size(region)
+  local mesh, outline = object.given(region, "mesh"), object.given(region, "outline")
+  local size = mesh and object.given(mesh, "size")
+  if type(size) ~= "function" then return end
+  local corner = object.given(outline, "points")[1]
+  local problem = native.try_law(size, { "x", "y" }, corner)
+  if problem then places.fail(object.place(region), "region.mesh.size: " .. problem) end
+end
+
+return { try_size = try_size }

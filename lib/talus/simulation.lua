@@ -1,0 +1,48 @@
+-- talus.simulation, and the methods of a simulation that need no engine.
+local native = require "talus.native"
+local object = require "talus.object"
+local places = require "talus.places"
+local assemble = require "talus.assemble"
+
+local rosters = setmetatable({}, { __mode = "k" })  -- simulation -> rosters of its objects
+local methods = native.methods
+
+local function simulation(fields)
+  local checked = object.new("simulation", fields)
+  local assembly = assemble(checked)
+  local sim = native.create(assembly.scene)
+  rosters[sim] = assembly.rosters
+  for _, change in ipairs(assembly.changes) do
+    object.bind(change.object, sim, function()
+      native.update(sim, change.list, change.index, change.flat(), object.kind(change.object))
+    end)
+  end
+  return sim
+end
+
+-- sim:material("rock"), sim:material(1): the object as the script made it, to be read and changed.
+for _, word in ipairs { "material", "joint", "region", "fix", "load" } do
+  methods[word] = function(sim, wanted)
+    local roster = rosters[sim][word]
+    if roster.list[wanted] then return roster.list[wanted] end
+    for i, name in ipairs(roster.names) do
+      if name == wanted then return roster.list[i] end
+    end
+    places.fail(places.here(), ("sim:%s: there is no %s %s%s"):format(word, word, native.describe(wanted),
+      native.suggestion(tostring(wanted), roster.names)))
+  end
+end
+
+-- for status in sim:steps() do … end
+function methods.steps(sim)
+  return function() return sim:step() end
+end
+
+-- sim:log("%d blocks", #sim.blocks)
+function methods.log(sim, format, ...)
+  local formatted, text = pcall(string.format, format, ...)
+  if not formatted then places.fail(places.here(), ("sim:log: %s"):format(text)) end
+  print(("[t = %.6g s] %s"):format(sim.time, text))
+end
+
+return simulation

@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "equations/recovery.h"
+#include "hand_model.h"
+#include "output/pvd.h"
+#include "output/vtk_writer.h"
+#include "scene/error.h"
+
+namespace talus {
+namespace {
+
+using test::moved_squares;
+using test::two_squares;
+
+std::string scratch(const std::string& name) {
+  const auto dir = std::filesystem::temp_directory_path() / "talus_test_vtk";
+  std::filesystem::create_directories(dir);
+  return (dir / name).string();
+}
+
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+vtkSmartPointer<vtkPolyData> read(const std::string& path) {
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), 0u);
+  return reader->GetOutput();
+}
+
+double cell(vtkPolyData* data, const char* name, int id, int component = 0) {
+  vtkDataArray* array = data->GetCellData()->GetArray(name);
+  EXPECT_NE(array, nullptr) << name;
+  return array ? array->GetComponent(id, component) : NAN;
+}
+
+std::string name(vtkPolyData* data, const char* array, int id) {
+  auto* names = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(array));
+  EXPECT_NE(names, nullptr) << array;
+  return names ? names->GetValue(id) : std::string();
+}
+
+TEST(VtkBlocks, ReadBackAsPolygonsInUserCoordinates) {
+  const Model model = moved_squares();
+  write_blocks_vtp(scratch("blocks.vtp"), {model, nullptr}, {});
+  const auto data = read(scratch("blocks.vtp"));
+  ASSERT_EQ(data->GetNumberOfPolys(), 2);
+  ASSERT_EQ(data->GetNumberOfPoints(), 8);
+  EXPECT_EQ(data->GetCell(1)->GetNumberOfPoints(), 4);
+  EXPECT_EQ(data->GetCell(1)->GetPointId(2), 6);
+  for (int v = 0; v < 8; ++v) {
+    EXPECT_EQ(data->GetPoint(v)[0], model.vertex[v].x() + 100);
+    EXPECT_EQ(data->GetPoint(v)[1], model.vertex[v].y() + 50);
+    EXPECT_EQ(data->GetPoint(v)[2], 0);
+  }
+}
+
+TEST(VtkBlocks, ArraysHoldTheFields) {
+  const Model model = moved_squares();
+  write_blocks_vtp(scratch("blocks.vtp"), {model, nullptr}, {{"heat", {7.5, -2}}});
+  const auto data = read(scratch("blocks.vtp"));
+  EXPECT_EQ(cell(data, "id", 1), 1);
+  EXPECT_EQ(cell(data, "region", 1), 1);
+  EXPECT_EQ(cell(data, "fixed", 1), 1);
+  EXPECT_EQ(cell(data, "velocity", 0, 1), 4);
+  EXPECT_EQ(data->GetCellData()->GetArray("velocity")->GetNumberOfComponents(), 3);
+  EXPECT_NEAR(cell(data, "displacement", 0, 0), 0.1, 1e-15);
+  EXPECT_DOUBLE_EQ(cell(data, "rotation", 0), std::acos(0.0));
+  EXPECT_NEAR(cell(data, "strain", 0, 1), 0.001, 1e-15);
+  EXPECT_STREQ(data->GetCellData()->GetArray("strain")->GetComponentName(2), "xy");
+  EXPECT_EQ(cell(data, "sxx", 0), model.stress(0)[0]);
+  EXPECT_EQ(cell(data, "s1", 0), principals(model.stress(0)).first);
+  EXPECT_EQ(cell(data, "heat", 0), 7.5);
+  EXPECT_EQ(cell(data, "heat", 1), -2);
+  EXPECT_EQ(data->GetCellData()->GetArray("id")->GetDataType(), VTK_INT);
+  EXPECT_EQ(data->GetCellData()->GetArray("sxx_smooth"), nullptr);  // there is no recovery
+  EXPECT_NEAR(data->GetPointData()->GetArray("displacement")->GetComponent(2, 1), 0.7 + 0.5006 - 1, 1e-12);
+}
+
+TEST(VtkBlocks, SmoothedStressesOfTheRecovery) {
+  const Model model = moved_squares();
+  const Recovery recovery(model);
+  const std::vector<Vec3> smoothed = {{3, -1, 2}, {7, 8, 0}};
+  write_blocks_vtp(scratch("blocks.vtp"), {model, &recovery, &smoothed}, {});
+  const auto data = read(scratch("blocks.vtp"));
+  EXPECT_EQ(cell(data, "sxy_smooth", 0), 2);
+  EXPECT_EQ(cell(data, "syy_smooth", 1), 8);
+  EXPECT_DOUBLE_EQ(cell(data, "s1_smooth", 0), 1 + std::sqrt(8.0));
+  EXPECT_DOUBLE_EQ(cell(data, "s2_smooth", 0), 1 - std::sqrt(8.0));
+  EXPECT_EQ(cell(data, "sxx", 0), model.stress(0)[0]);
+}
+
+TEST(VtkBlocks, NamesAndTime) {
+  Model model = two_squares();
+  model.time = 0.125;
+  write_blocks_vtp(scratch("blocks.vtp"), {model, nullptr}, {});
+  const auto data = read(scratch("blocks.vtp"));
+  EXPECT_EQ(name(data, "region_names", 1), "right");
+  EXPECT_EQ(name(data, "material_names", 0), "rock");
+  EXPECT_EQ(data->GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.125);
+}
+
+TEST(VtkBlocks, RawAppendedLz4) {
+  write_blocks_vtp(scratch("blocks.vtp"), {two_squares(), nullptr}, {});
+  const std::string file = content(scratch("blocks.vtp"));
+  EXPECT_NE(file.find("compressor=\"vtkLZ4DataCompressor\""), std::string::npos);
+  EXPECT_NE(file.find("<AppendedData encoding=\"raw\">"), std::string::npos);
+}
+
+TEST(VtkBlocks, PlaceThatCannotBeWrittenIsARunError) {
+  EXPECT_THROW(write_blocks_vtp(scratch("no/such/dir.vtp"), {two_squares(), nullptr}, {}), RunError);
+}
+
+TEST(VtkJoints, JointAndContactAsLines) {
+  Model model = two_squares();
+  model.joints[0].state = JointState::failed;
+  model.blocks[1].centroid += Vec2(0.2, 0);
+  model.place_vertices();
+  write_joints_vtp(scratch("joints.vtp"), model);
+  const auto data = read(scratch("joints.vtp"));
+  ASSERT_EQ(data->GetNumberOfLines(), 2);
+  EXPECT_EQ(cell(data, "kind", 0), 0);
+  EXPECT_EQ(cell(data, "kind", 1), 1);
+  EXPECT_EQ(name(data, "state_names", static_cast<int>(cell(data, "state", 0))), "failed");
+  EXPECT_EQ(name(data, "state_names", static_cast<int>(cell(data, "state", 1))), "slip");
+  EXPECT_EQ(name(data, "property_names", static_cast<int>(cell(data, "property", 1))), "bond <1>");
+  EXPECT_DOUBLE_EQ(cell(data, "normal_traction", 0), 500);
+  EXPECT_DOUBLE_EQ(cell(data, "normal_traction", 1), -2000);
+  EXPECT_DOUBLE_EQ(cell(data, "shear_traction", 1), 500);
+  EXPECT_DOUBLE_EQ(cell(data, "opening", 0), 0.005);
+  EXPECT_DOUBLE_EQ(cell(data, "opening", 1), -1e-4);
+  EXPECT_DOUBLE_EQ(cell(data, "slip", 1), 3e-3);
+  // The joint runs half-way between the two sides.
+  EXPECT_NEAR(data->GetPoint(0)[0], 101.1, 1e-12);
+  EXPECT_NEAR(data->GetPoint(1)[1], 51, 1e-12);
+}
+
+TEST(VtkJoints, ContactIsThePartOfTheEdgeItStandsFor) {
+  Model model = two_squares();
+  write_joints_vtp(scratch("joints.vtp"), model);
+  auto data = read(scratch("joints.vtp"));
+  // Its foot is the edge's lower end: half of its length of 0.5 lies on the edge, the rest is clipped.
+  EXPECT_NEAR(data->GetPoint(2)[0], 101, 1e-12);
+  EXPECT_NEAR(data->GetPoint(2)[1], 50.25, 1e-12);
+  EXPECT_NEAR(data->GetPoint(3)[1], 50, 1e-12);
+  model.contacts[0].length = 0;
+  write_joints_vtp(scratch("joints.vtp"), model);
+  data = read(scratch("joints.vtp"));
+  EXPECT_GT(data->GetPoint(2)[1] - data->GetPoint(3)[1], 0.005);  // still to be seen
+}
+
+TEST(VtkJoints, EmptyFrameCanBeRead) {
+  Model model = two_squares();
+  model.joints.clear();
+  model.contacts.clear();
+  write_joints_vtp(scratch("joints.vtp"), model);
+  EXPECT_EQ(read(scratch("joints.vtp"))->GetNumberOfCells(), 0);
+}
+
+TEST(Pvd, ListsAllFramesSoFar) {
+  PvdSeries series(std::filesystem::path(scratch("x")).parent_path().string(), "series");
+  series.add(0, "a_00000.vtp");
+  series.add(0.1, "a_00001.vtp");
+  const std::string file = content(scratch("series.pvd"));
+  EXPECT_NE(file.find("timestep=\"0\" part=\"0\" file=\"a_00000.vtp\""), std::string::npos);
+  EXPECT_NE(file.find("timestep=\"0.1\" part=\"0\" file=\"a_00001.vtp\""), std::string::npos);
+  EXPECT_NE(file.find("</VTKFile>"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(scratch("series.pvd.part")));
+}
+
+}  // namespace
+}  // namespace talus
