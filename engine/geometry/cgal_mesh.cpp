@@ -22,8 +22,10 @@ namespace {
 constexpr double longest_edge = 1.45;         // of a triangle, wanted edge lengths
 constexpr double triangles_per_square = 2.4;  // triangles = this · ∫ dA / size²
 constexpr double shape_bound = 0.125;         // squared sine of the least angle: 20.7°
-constexpr double closest_traces = 0.02;       // wanted edge lengths: traces closer than that are merged
-constexpr double narrow_angle = 0.75;         // rad: edges that meet at less are left whole, see `Mesher::divide`
+// rad: below, its square nears round-off, and the mesher can no longer cut both sides abreast of each other.
+constexpr double least_angle = 1e-6;
+constexpr double closest_traces = 0.02;  // wanted edge lengths: traces closer than that are merged
+constexpr double narrow_angle = 0.75;    // rad: edges that meet at less are left whole, see `Mesher::divide`
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
@@ -136,6 +138,7 @@ class Mesher {
   void refine();
   long count_triangles() const;
   Tessellation result();
+  [[noreturn]] void refuse_angle(int point) const;
   [[noreturn]] void refuse_field() const;
   [[noreturn]] void refuse_mesh() const;
 
@@ -201,6 +204,7 @@ std::vector<bool> Mesher::edges_at_narrow_angles() const {
     for (std::size_t i = first; i < end; ++i) {
       const Ray &ray = rays[i], &next = rays[i + 1 < end ? i + 1 : first];
       const double angle = next.angle - ray.angle + (i + 1 < end ? 0 : 2 * M_PI);
+      if (angle < least_angle) refuse_angle(ray.point);
       if (angle < narrow_angle) narrow[ray.edge] = narrow[next.edge] = true;
     }
   }
@@ -346,6 +350,14 @@ void Mesher::refine() {
     if (step % between_checks == 0 && may_be_too_many && count_triangles() > most_) refuse_mesh();
   }
   if (count_triangles() > most_) refuse_mesh();
+}
+
+void Mesher::refuse_angle(int point) const {
+  std::ostringstream text;
+  text.precision(8);
+  text << "boundary or traces meet at (" << world_[point].x() << ", " << world_[point].y()
+       << ") at an angle of less than 1e-6 rad: too narrow for a mesh";
+  throw std::invalid_argument(text.str());
 }
 
 void Mesher::refuse_field() const {

@@ -350,7 +350,10 @@ Network make_network(const TessellationInput& input, double tolerance) {
   const Bounds box = bounds(input.outline);
   const double fine = least_tolerance * box.extent();
   tolerance = std::max(tolerance, fine);
-  const double bound = std::max(boundary_clearance(input, 3 * tolerance) / 3, 4 * round_off_of(box));
+  const double clearance = boundary_clearance(input, 3 * tolerance), round_off = round_off_of(box);
+  if (clearance < 8 * round_off)
+    throw std::invalid_argument("the boundary comes closer to itself than round-off allows");
+  const double bound = clearance / 3;
   for (double attempt : {tolerance, fine, 8 * fine, 64 * fine, 512 * fine})
     if (auto network = NetworkMaker(input, std::min(attempt, bound)).make()) return *std::move(network);
   throw std::invalid_argument("the traces lie too close to each other to be told apart");

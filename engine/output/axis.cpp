@@ -43,9 +43,9 @@ double floor_power(double value) {
   return std::pow(10, std::floor(std::log10(value) + 1e-9));
 }
 
-std::string log_text(double value) {
+// "2·10⁻⁴"
+std::string power_text(double value) {
   const int power = static_cast<int>(std::floor(std::log10(value) + 1e-9));
-  if (power >= -2 && power <= 3) return tick_text(value, value);
   const double lead = value / std::pow(10, power);
   return (lead > 1.5 ? fixed(lead, 0) + "·" : "") + "10" + superscript(power);
 }
@@ -59,9 +59,11 @@ std::vector<Tick> axis_ticks(const Span& span, int wanted, bool log, const Shown
   const Span shown = {span.low / unit.factor, span.high / unit.factor};
   const auto values = log ? log_ticks(shown) : linear_ticks(shown, wanted);
   const double step = values.size() > 1 ? values[1] - values[0] : shown.length();
+  const bool powers =
+      log && !values.empty() && (values.front() < 9e-5 || values.back() > 1.1e5);  // on one axis one style
   std::vector<Tick> ticks;
   for (const double value : values)
-    ticks.push_back({value * unit.factor, log ? log_text(value) : tick_text(value, step)});
+    ticks.push_back({value * unit.factor, powers ? power_text(value) : tick_text(value, log ? value : step)});
   return ticks;
 }
 
@@ -106,16 +108,17 @@ std::vector<double> log_ticks(const Span& span) {
     for (const double lead : {1., 2., 5.}) {
       const double value = lead * std::pow(10, k);
       const bool inside = value >= span.low * (1 - 1e-9) && value <= span.high * (1 + 1e-9);
-      if (inside && (lead == 1 || decades < 2)) ticks.push_back(value);
+      if (inside && (lead == 1 || decades < 3)) ticks.push_back(value);
     }
   return ticks;
 }
 
 std::string tick_text(double value, double step) {
+  step = std::abs(step);
   if (value != 0 && (std::abs(value) >= 1e7 || step < 1e-6)) return significant(value, 4);
   // Decimals until the step itself is written exactly (0.25 takes two), up to six.
   int decimals = 0;
-  double scaled = std::abs(step);
+  double scaled = step;
   while (decimals < 6 && std::abs(scaled - std::round(scaled)) > 1e-6 * scaled) {
     scaled *= 10;
     ++decimals;

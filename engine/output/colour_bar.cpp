@@ -85,9 +85,9 @@ int ColourScale::level(double value) const {
   return std::min(levels - 1, static_cast<int>(place(value) * levels));
 }
 
-ColourScale colour_scale(std::vector<double> values, bool whole) {
+ColourScale colour_scale(std::vector<double> values, bool whole, double noise) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
-  if (values.empty()) values = {0};
+  if (std::all_of(values.begin(), values.end(), [&](double v) { return std::abs(v) <= noise; })) values = {0};
   std::sort(values.begin(), values.end());
   ColourScale scale;
   scale.whole = whole;

@@ -23,8 +23,9 @@ struct ColourScale {
 };
 
 // Values of both signs: white at zero, equal steps to both sides. A few outliers that would flatten the rest
-// (2 % at either end) are cut off. Non-finite values are left out.
-ColourScale colour_scale(std::vector<double> values, bool whole);
+// (2 % at either end) are cut off. Non-finite values are left out. Where none is larger than `noise` all count as
+// 0.
+ColourScale colour_scale(std::vector<double> values, bool whole, double noise = 0);
 
 struct ColourBar {
   ColourScale scale;

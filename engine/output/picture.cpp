@@ -69,7 +69,7 @@ Layout lay_out(const Placement& placement, const PictureField& field, int width)
   Layout out;
   out.metre = extent >= 0.02 && extent < 2e5 ? ShownUnit{1, "m"} : shown_unit("m", extent);
   ColourBar& bar = out.bar;
-  bar.scale = colour_scale(field.coloured, field.whole);
+  bar.scale = colour_scale(field.coloured, field.whole, field.noise);
   bar.unit = field.whole
                  ? ShownUnit{}
                  : shown_unit(field.unit, std::max(std::abs(bar.scale.range.low), std::abs(bar.scale.range.high)));

@@ -1,5 +1,6 @@
 #include "output/picture_field.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/error.h"
@@ -22,6 +23,18 @@ bool drawable(const Field& field) {
 // Fields that differ from block to block however it is held keep their colour.
 bool says_something_of_held(const Field& field) {
   return field.whole || field.name == "area" || field.name == "density" || field.name == "mass";
+}
+
+// Rounding errors of a model at rest: strains of 1e-16, a thousandfold for safety.
+double rounding_noise(const Model& model, const Field& field) {
+  constexpr double strain = 1e-13;
+  if (field.unit == "Pa") {
+    double young = 0;
+    for (const Material& material : model.scene.materials) young = std::max(young, material.young);
+    return strain * young;
+  }
+  if (field.unit == "m" || field.unit == "m/s") return strain * model.extent;
+  return field.unit.empty() || field.unit.starts_with("rad") ? strain : 0;
 }
 
 }  // namespace
@@ -49,6 +62,7 @@ PictureField picture_field(const FieldContext& context, const std::string& name)
   out.unit = field ? field->unit : "";
   out.meaning = field ? field->meaning : name;
   out.whole = field && field->whole;
+  out.noise = field && !field->whole ? rounding_noise(model, *field) : 0;
   const bool held_too = !field || says_something_of_held(*field);
   for (int b = 0; b < static_cast<int>(model.shapes.size()); ++b) {
     double value[3] = {0, 0, 0};

@@ -10,6 +10,7 @@ namespace talus {
 struct PictureField {
   std::string symbol, unit, meaning;
   bool whole = false, subscripts = false;
+  double noise = 0;              // what rounding alone can make of zero
   std::vector<double> values;    // per block
   std::vector<char> grey;        // per block: held, so its value says nothing
   std::vector<double> coloured;  // values of the blocks that are not grey

@@ -12,7 +12,9 @@ volatile std::sig_atomic_t signal_seen = 0;
 lua_State* interrupted_state = nullptr;
 bool held = false;
 
-std::string signal_text() { return signal_seen == SIGTERM ? "stopped by SIGTERM" : "stopped by SIGINT"; }
+std::string signal_text() {
+  return signal_seen == SIGTERM ? "stopped by SIGTERM" : "stopped by SIGINT";
+}
 
 // Stays set, so that a script cannot swallow the interrupt with pcall.
 void interrupt_hook(lua_State* L, lua_Debug*) {
@@ -22,7 +24,8 @@ void interrupt_hook(lua_State* L, lua_Debug*) {
 void on_signal(int number) {
   signal_seen = number;
   // lua_sethook may be called from a signal handler (Lua 5.4 manual, 4.7).
-  if (interrupted_state) lua_sethook(interrupted_state, interrupt_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
+  if (interrupted_state)
+    lua_sethook(interrupted_state, interrupt_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
 }
 
 void set_handler(int number, void (*handler)(int)) {
@@ -49,10 +52,16 @@ Interrupts::~Interrupts() {
   interrupted_state = nullptr;
 }
 
-int interrupt_signal() { return signal_seen; }
+int interrupt_signal() {
+  return signal_seen;
+}
 
-InterruptsHeld::InterruptsHeld(bool hold) : before_(held) { held = hold; }
-InterruptsHeld::~InterruptsHeld() { held = before_; }
+InterruptsHeld::InterruptsHeld(bool hold) : before_(held) {
+  held = hold;
+}
+InterruptsHeld::~InterruptsHeld() {
+  held = before_;
+}
 
 void throw_if_interrupted() {
   if (signal_seen) throw ScriptError(ErrorKind::interrupt, signal_text());

@@ -9,10 +9,16 @@
 namespace talus {
 namespace {
 
-void push_text(lua_State* L, const std::string& text) { lua_pushlstring(L, text.data(), text.size()); }
+void push_text(lua_State* L, const std::string& text) {
+  lua_pushlstring(L, text.data(), text.size());
+}
 
-const char* state_word(JointState state) { return state == JointState::intact ? "intact" : "failed"; }
-const char* bond_word(BondKind kind) { return kind == BondKind::exact ? "exact" : "spring"; }
+const char* state_word(JointState state) {
+  return state == JointState::intact ? "intact" : "failed";
+}
+const char* bond_word(BondKind kind) {
+  return kind == BondKind::exact ? "exact" : "spring";
+}
 
 const char* state_word(ContactState state) {
   constexpr std::array words = {"open", "stick", "slip"};
@@ -24,7 +30,9 @@ const char* kind_word(ContactKind kind) {
   return words[static_cast<std::size_t>(kind)];
 }
 
-void push_id(lua_State* L, const Model&, int id) { lua_pushinteger(L, id + 1); }
+void push_id(lua_State* L, const Model&, int id) {
+  lua_pushinteger(L, id + 1);
+}
 
 const ShownField block_shown[] = {
     {"id", "1-based number of the block", push_id},
@@ -49,8 +57,10 @@ const ShownField block_shown[] = {
 
 const ShownField joint_shown[] = {
     {"id", "1-based number of the joint", push_id},
-    {"block_a", "block on its left", [](lua_State* L, const Model& m, int id) { lua_pushinteger(L, m.joints[id].a + 1); }},
-    {"block_b", "block on its right", [](lua_State* L, const Model& m, int id) { lua_pushinteger(L, m.joints[id].b + 1); }},
+    {"block_a", "block on its left",
+     [](lua_State* L, const Model& m, int id) { lua_pushinteger(L, m.joints[id].a + 1); }},
+    {"block_b", "block on its right",
+     [](lua_State* L, const Model& m, int id) { lua_pushinteger(L, m.joints[id].b + 1); }},
     {"state", "\"intact\" or \"failed\"",
      [](lua_State* L, const Model& m, int id) { lua_pushstring(L, state_word(m.joints[id].state)); }},
     {"kind", "\"exact\" or \"spring\"",

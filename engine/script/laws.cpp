@@ -50,7 +50,9 @@ LuaFunction::LuaFunction(lua_State* L, int index) : L_(main_thread(L)) {
   });
 }
 
-void LuaFunction::push() const { lua_rawgeti(L_, LUA_REGISTRYINDEX, *reference_); }
+void LuaFunction::push() const {
+  lua_rawgeti(L_, LUA_REGISTRYINDEX, *reference_);
+}
 
 std::string describe(lua_State* L, int index) {
   switch (lua_type(L, index)) {
@@ -119,7 +121,8 @@ std::function<double(Vec2)> size_law(const LuaFunction& law, const Place& place,
     constexpr const char* names[] = {"x", "y"};
     const double arguments[] = {point.x(), point.y()};
     const LawResult result = call_law(law, names, arguments);
-    if (!result.problem.empty()) throw ScriptError(ErrorKind::input, place.text() + ": " + label + ": " + result.problem);
+    if (!result.problem.empty())
+      throw ScriptError(ErrorKind::input, place.text() + ": " + label + ": " + result.problem);
     if (result.value > 0) return result.value;
     throw InputError(place, label + " " + arguments_text(names, arguments), "a number > 0 (m)",
                      number_text(result.value));

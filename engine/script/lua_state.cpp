@@ -82,7 +82,7 @@ void restrict_packages(lua_State* L) {
 }
 
 int open_sandbox(lua_State* L) {
-  const luaL_Reg libraries[] = {{LUA_GNAME, luaopen_base},         {LUA_LOADLIBNAME, luaopen_package},
+  const luaL_Reg libraries[] = {{LUA_GNAME, luaopen_base},          {LUA_LOADLIBNAME, luaopen_package},
                                 {LUA_COLIBNAME, luaopen_coroutine}, {LUA_TABLIBNAME, luaopen_table},
                                 {LUA_OSLIBNAME, luaopen_os},        {LUA_STRLIBNAME, luaopen_string},
                                 {LUA_MATHLIBNAME, luaopen_math},    {LUA_UTF8LIBNAME, luaopen_utf8}};
@@ -125,7 +125,9 @@ LuaState::LuaState(const LuaOptions& options) : library_(library_folder(options)
   protected_call(L_, 0, 0);
 }
 
-LuaState::~LuaState() { lua_close(L_); }
+LuaState::~LuaState() {
+  lua_close(L_);
+}
 
 void set_search_path(lua_State* L, const std::string& script, const std::string& library) {
   const std::string folder = std::filesystem::path(script).parent_path().string();

@@ -24,7 +24,9 @@ int native_place(lua_State* L) {
 }
 
 // fail(message): bad input
-int native_fail(lua_State* L) { throw ScriptError(ErrorKind::input, luaL_checkstring(L, 1)); }
+int native_fail(lua_State* L) {
+  throw ScriptError(ErrorKind::input, luaL_checkstring(L, 1));
+}
 
 // describe(value) -> how messages show it
 int native_describe(lua_State* L) {
@@ -70,7 +72,8 @@ int native_create(lua_State* L) {
   lua_gc(L, LUA_GCCOLLECT);  // simulations the script has dropped end here
   const TableReader table(L, 1);
   RunHandlers handlers;
-  for (const auto& [key, handler] : {std::pair{"on_step", &handlers.on_step}, {"on_output", &handlers.on_output}}) {
+  for (const auto& [key, handler] :
+       {std::pair{"on_step", &handlers.on_step}, {"on_output", &handlers.on_output}}) {
     if (!table.push(key)) continue;
     handler->emplace(L, -1);
     lua_pop(L, 1);
@@ -122,7 +125,8 @@ int native_fields(lua_State* L) {
     lua_Integer count = 0;
     for (const ViewField& field : view_fields(kind)) {
       lua_createtable(L, 0, 3);
-      for (const auto& [key, text] : {std::pair{"name", &field.name}, {"unit", &field.unit}, {"meaning", &field.meaning}}) {
+      for (const auto& [key, text] :
+           {std::pair{"name", &field.name}, {"unit", &field.unit}, {"meaning", &field.meaning}}) {
         lua_pushstring(L, text->c_str());
         lua_setfield(L, -2, key);
       }

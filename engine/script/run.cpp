@@ -102,10 +102,11 @@ void Run::call_handler(const LuaFunction& handler) {
 std::optional<StepReport> Run::step() {
   if (simulation.finished()) return std::nullopt;
   throw_if_interrupted();
-  began_ = true;
   try {
     const PhaseScope stepping(phase_, Phase::stepping);
     const InterruptsHeld hold;
+    if (!began_ && output_) output_->after_step(simulation);  // the start
+    began_ = true;
     simulation.step();
   } catch (const std::exception& error) {
     failure_ = error.what();
@@ -144,7 +145,8 @@ void Run::finish(const std::string& outcome) {
 
 void Run::refuse_inside_step(lua_State* L, const std::string& what) const {
   if (phase_ != Phase::stepping) return;
-  throw ScriptError(ErrorKind::input, user_place(L).text() + ": " + what + " cannot be used inside a step (in a law)");
+  throw ScriptError(ErrorKind::input,
+                    user_place(L).text() + ": " + what + " cannot be used inside a step (in a law)");
 }
 
 }  // namespace talus

@@ -10,7 +10,8 @@ namespace {
 
 // Words of the Lua face for the values of an enum.
 template <class E>
-void read_enum(const TableReader& t, const char* key, std::initializer_list<std::pair<const char*, E>> words, E& value) {
+void read_enum(const TableReader& t, const char* key, std::initializer_list<std::pair<const char*, E>> words,
+               E& value) {
   std::string word;
   t.read(key, word);
   if (word.empty()) return;
@@ -82,8 +83,8 @@ JointProperty read_property(const TableReader& t) {
   t.read("tension", p.tension);
   read_enum(t, "bond", {{"exact", BondKind::exact}, {"spring", BondKind::spring}}, p.bond);
   t.read("penalty", p.penalty);
-  read_enum(t, "stiffness_kind",
-            {{"length", StiffnessKind::per_length}, {"contact", StiffnessKind::per_contact}}, p.stiffness_kind);
+  read_enum(t, "stiffness_kind", {{"length", StiffnessKind::per_length}, {"contact", StiffnessKind::per_contact}},
+            p.stiffness_kind);
   t.read("stiffness", p.stiffness);
   t.read("shear_ratio", p.shear_ratio);
   return p;

@@ -21,7 +21,12 @@ struct SessionOptions {
 };
 
 // Exit status of the program.
-enum ExitStatus { exit_ok = 0, exit_check_failed = 1, exit_bad_input = 2, exit_run_stopped = 3 };  // signals: 128 + n
+enum ExitStatus {
+  exit_ok = 0,
+  exit_check_failed = 1,
+  exit_bad_input = 2,
+  exit_run_stopped = 3
+};  // signals: 128 + n
 
 class Session {
  public:

@@ -22,7 +22,9 @@ using Handle = std::shared_ptr<Run>;
   throw ScriptError(ErrorKind::input, user_place(L).text() + ": " + text);
 }
 
-Handle& check_handle(lua_State* L, int index) { return *static_cast<Handle*>(luaL_checkudata(L, index, metatable)); }
+Handle& check_handle(lua_State* L, int index) {
+  return *static_cast<Handle*>(luaL_checkudata(L, index, metatable));
+}
 
 void set_number(lua_State* L, const char* key, double value) {
   lua_pushnumber(L, value);
@@ -97,7 +99,8 @@ void register_value(lua_State* L, const char* key, const Run* run) {
 // kept waiting for the program.
 Run& steppable(lua_State* L, const char* what) {
   Handle& run = check_handle(L, 1);
-  if (run->phase() != Run::Phase::idle) refuse(L, std::string("sim:") + what + " inside a step, a handler or a law");
+  if (run->phase() != Run::Phase::idle)
+    refuse(L, std::string("sim:") + what + " inside a step, a handler or a law");
   if (Session::of(L).plan_only()) throw ScriptError(ErrorKind::planned, "planned");
   lua_pushnil(L);
   register_value(L, waiting_key, run.get());
@@ -224,8 +227,12 @@ void push_simulation(lua_State* L, const std::shared_ptr<Run>& run) {
   lua_remove(L, -2);
 }
 
-void push_simulation_methods(lua_State* L) { lua_getfield(L, LUA_REGISTRYINDEX, methods_key); }
+void push_simulation_methods(lua_State* L) {
+  lua_getfield(L, LUA_REGISTRYINDEX, methods_key);
+}
 
-Run& check_simulation(lua_State* L, int index) { return *check_handle(L, index); }
+Run& check_simulation(lua_State* L, int index) {
+  return *check_handle(L, index);
+}
 
 }  // namespace talus

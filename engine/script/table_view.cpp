@@ -38,7 +38,9 @@ int collect(lua_State* L) {
   return 0;
 }
 
-TableView& check_view(lua_State* L) { return *static_cast<TableView*>(luaL_checkudata(L, 1, view_metatable)); }
+TableView& check_view(lua_State* L) {
+  return *static_cast<TableView*>(luaL_checkudata(L, 1, view_metatable));
+}
 
 [[noreturn]] void refuse(lua_State* L, const std::string& text) {
   throw ScriptError(ErrorKind::input, user_place(L).text() + ": " + text);
@@ -159,7 +161,8 @@ int view_index(lua_State* L) {
   if (lua_type(L, 2) == LUA_TSTRING) return view_index_by_name(L, view, lua_tostring(L, 2));
   int exact = 0;
   const lua_Integer id = lua_tointegerx(L, 2, &exact);
-  if (!exact) refuse(L, std::string("sim.") + item_word(view.kind) + "s: expected a number, got " + describe(L, 2));
+  if (!exact)
+    refuse(L, std::string("sim.") + item_word(view.kind) + "s: expected a number, got " + describe(L, 2));
   if (id < 1 || id > view.count()) {
     lua_pushnil(L);  // where ipairs stops
   } else {

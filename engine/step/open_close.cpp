@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace talus {
 
@@ -51,22 +52,24 @@ void OpenClose::start(const Model& model, const System& system, const ContactTer
 }
 
 void OpenClose::judge_residual(const Model& model, const System& system, const ContactTerms& contacts,
-                               OpenCloseResult& result) {
+                               double place_rounding, OpenCloseResult& result) {
   residual(system, contacts, true, r_);
-  std::vector<double> scale = system.force_scale;
+  std::vector<double> scale = system.force_scale, rounding(scale.size(), 0.0);
   const auto& rows = contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
     const Contact& contact = model.contacts[k];
     const double normal = rows[k].kn * std::max(0.0, -gap_[k]);
     scale[contact.i] += normal;
     scale[contact.j] += normal;
+    rounding[contact.i] += rows[k].kn * place_rounding;
+    rounding[contact.j] += rows[k].kn * place_rounding;
   }
   const double floor = force_floor * *std::max_element(scale.begin(), scale.end());
   result.residual = 0;
   for (size_t b = 0; b < model.shapes.size(); ++b) {
     const BlockShape& shape = model.shapes[b];
     if (shape.dofs == 0) continue;
-    const double out = r_.segment(shape.dof_begin, shape.dofs).norm();
+    const double out = std::max(0.0, r_.segment(shape.dof_begin, shape.dofs).norm() - rounding[b]);
     const double relative = out == 0 ? 0 : out / std::max(scale[b], floor);
     if (!(relative <= result.residual)) {
       result.residual = relative;
@@ -119,7 +122,9 @@ OpenCloseResult OpenClose::judge(const Model& model, const System& system, const
   OpenCloseResult result;
   start(model, system, contacts);
   evaluate(contacts, Vector::Zero(system.force.size()));
-  judge_residual(model, system, contacts, result);
+  // Gaps are differences of places: their rounding times the stiffness is no force.
+  const double place_rounding = 8 * std::numeric_limits<double>::epsilon() * model.extent;
+  judge_residual(model, system, contacts, place_rounding, result);
   return result;
 }
 
@@ -153,7 +158,7 @@ OpenCloseResult OpenClose::solve(const Model& model, System& system, const Conta
     evaluate(contacts, d);
     for (size_t k = 0; k < rows.size(); ++k)
       limit_[k] = friction_limit(rows[k], rows[k].kn * std::max(0.0, -gap_[k]));
-    judge_residual(model, system, contacts, result);
+    judge_residual(model, system, contacts, 0, result);
     if (!std::isfinite(result.residual)) break;
     if (result.residual <= tolerance) {
       result.converged = true;

@@ -33,7 +33,8 @@ class OpenClose {
   void evaluate(const ContactTerms& contacts, const Vector& d);
   void residual(const System& system, const ContactTerms& contacts, bool coupled, Vector& r) const;
   double friction_limit(const ContactRows& row, double normal) const;
-  void judge_residual(const Model& model, const System& system, const ContactTerms& contacts, OpenCloseResult& result);
+  void judge_residual(const Model& model, const System& system, const ContactTerms& contacts, double place_rounding,
+                      OpenCloseResult& result);
   double line_search(const ContactTerms& contacts, const Vector& p, double slope0, double curvature) const;
 
   std::vector<double> gap_, slide_, limit_;  // per contact, at the present d; limit_: frozen friction limit, N

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
@@ -101,6 +102,7 @@ StepReport Stepper::equilibrium(bool stick) {
     assemble(scheme, stick);
     result = open_close_.judge(model_, system_, contacts_);
     report.residual = result.residual;
+    if(getenv("DBG"))fprintf(stderr,"static %d res %g in %g it %d\n",i,result.residual,inertia,report.iterations);
     if (i > 0 && result.residual <= model_.scene.numerics.static_tolerance) return report;
     result = solve(d);
     report.iterations += result.iterations;

@@ -86,8 +86,8 @@ local function find_region(assembly, wanted, asker)
     end
   end
   local name = type(wanted) == "string" and wanted or given(wanted, "name") or "of this name"
-  places.fail(object.place(asker), ("%s.region: the simulation has no region %q%s"):format(object.kind(asker), name,
-    native.suggestion(name, roster.names)))
+  places.fail(object.place(asker), ("%s.region: the simulation has no region %q%s"):format(object.kind(asker),
+    name, native.suggestion(name, roster.names)))
 end
 
 local function links_of(assembly)
@@ -99,20 +99,27 @@ local function links_of(assembly)
   }
 end
 
+local function check_new(region, roster, i)
+  if roster.index[region] then
+    places.fail(object.place(region),
+      ("simulation.regions[%d]: expected another region, got the same twice"):format(i))
+  end
+  for k, name in ipairs(roster.names) do
+    if name == given(region, "name") then
+      places.fail(object.place(region),
+        ("region.name: expected a name of its own, got %q, the name of region %d"):format(name, k))
+    end
+  end
+end
+
 local function add_regions(assembly, regions, contact)
   local roster = assembly.rosters.region
   for i, region in ipairs(regions) do
-    if roster.index[region] then
-      places.fail(object.place(region), ("simulation.regions[%d]: expected another region, got the same twice"):format(i))
-    end
-    for k, name in ipairs(roster.names) do
-      if name == given(region, "name") then
-        places.fail(object.place(region), ("region.name: expected a name of its own, got %q, the name of region %d"):format(name, k))
-      end
-    end
+    check_new(region, roster, i)
     local name = roster.add(region)
+    local material = material_index(assembly, given(region, "material"))
     local function property(joint) return joint_index(assembly, joint, young_of(region)) end
-    assembly.scene.regions[i] = flatten.region(region, name, material_index(assembly, given(region, "material")), property, contact)
+    assembly.scene.regions[i] = flatten.region(region, name, material, property, contact)
   end
 end
 
@@ -163,18 +170,16 @@ local function add_probes(assembly, links)
 end
 
 local function time_of(time)
-  local flat = { place = object.place(time) }
-  for _, name in ipairs { "mode", "t_end", "steps", "dt", "dt_min", "dt_max", "displacement_ratio", "max_steps" } do
-    flat[name] = get(time, name)
-  end
+  local flat = flatten.fields(time, { "mode", "t_end", "steps", "dt", "dt_min", "dt_max", "displacement_ratio",
+    "max_steps" })
   flat.settled_start = get(time, "start") == "settled"
   return flat
 end
 
 local function numerics_of(numerics)
   local flat = {}
-  for _, name in ipairs { "profile", "integrator", "theta", "dynamic_parameter", "contact_tolerance", "static_tolerance",
-      "max_iterations", "threads", "recovery" } do
+  for _, name in ipairs { "profile", "integrator", "theta", "dynamic_parameter", "contact_tolerance",
+      "static_tolerance", "max_iterations", "threads", "recovery" } do
     flat[name] = profile.numerics_value(numerics, name)
   end
   return flat
@@ -191,7 +196,7 @@ end
 
 local function output_of(output, simulation)
   if not output then return { place = object.place(simulation) } end
-  local flat = { place = object.place(output), dir = given(output, "dir"), every = given(output, "every"), vtk = get(output, "vtk") }
+  local flat = flatten.fields(output, { "dir", "every", "vtk" })
   picture_of(flat, get(output, "picture"))
   return flat
 end
@@ -209,9 +214,10 @@ local function assemble(simulation)
   local assembly = new_assembly(simulation)
   local scene, links = assembly.scene, links_of(assembly)
   local regions = given(simulation, "regions")
-  local contact = given(simulation, "contact") or object.new("joint", { name = "contact" }, object.place(simulation))
-  scene.file = object.place(simulation).file
-  scene.title, scene.gravity, scene.max_blocks = given(simulation, "title"), get(simulation, "gravity"), get(simulation, "max_blocks")
+  local place = object.place(simulation)
+  local contact = given(simulation, "contact") or object.new("joint", { name = "contact" }, place)
+  scene.file, scene.title = place.file, given(simulation, "title")
+  scene.gravity, scene.max_blocks = get(simulation, "gravity"), get(simulation, "max_blocks")
   add_regions(assembly, regions, contact)
   scene.contact = joint_index(assembly, contact, softest(regions))
   add_contacts(assembly, given(simulation, "contacts") or {})

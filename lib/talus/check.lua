@@ -11,7 +11,9 @@ local function text_of(value)
 end
 
 local function report(name, value, expected, pass)
-  if type(name) ~= "string" then places.expected({ place = places.here(), path = "check: name" }, "a text", name) end
+  if type(name) ~= "string" then
+    places.expected({ place = places.here(), path = "check: name" }, "a text", name)
+  end
   print(("%s  %s  %s  expected %s"):format(pass and "PASS" or "FAIL", name, value, expected))
   native.add_check(name, value, expected, pass)
   return pass

@@ -8,14 +8,14 @@ local get, given = object.get, object.given
 local flatten = {}
 
 -- The named fields, as given or by default.
-local function fields_of(self, names)
+function flatten.fields(self, names)
   local flat = { place = object.place(self) }
   for _, name in ipairs(names) do flat[name] = get(self, name) end
   return flat
 end
 
 function flatten.material(material, name)
-  local flat = fields_of(material, { "density", "young", "poisson", "plane" })
+  local flat = flatten.fields(material, { "density", "young", "poisson", "plane" })
   flat.name = name
   return flat
 end
@@ -84,15 +84,16 @@ function flatten.fix(fix, name, links)
   if x == nil then x = y ~= true end
   if y == nil then y = given(fix, "x") ~= true end
   for i, on in ipairs(targets(fix, links)) do
-    list[i] = { place = object.place(fix), name = name, region = links.region_index(given(fix, "region"), fix), on = on,
-                x = x, y = y, displacement = given(fix, "displacement"), velocity = given(fix, "velocity"),
-                spin = get(fix, "spin") }
+    local flat = flatten.fields(fix, { "displacement", "velocity", "spin" })
+    flat.name, flat.region, flat.on = name, links.region_index(given(fix, "region"), fix), on
+    flat.x, flat.y = x, y
+    list[i] = flat
   end
   return list
 end
 
 function flatten.point_load(load, name, links)
-  local flat = fields_of(load, { "at", "force" })
+  local flat = flatten.fields(load, { "at", "force" })
   flat.name = name
   flat.region = links.region_index(given(load, "region"), load)
   return { flat }
@@ -101,7 +102,8 @@ end
 local function edge_load(load, name, links)
   local list = {}
   for i, on in ipairs(targets(load, links)) do
-    list[i] = { place = object.place(load), name = name, region = links.region_index(given(load, "region"), load), on = on }
+    local region = links.region_index(given(load, "region"), load)
+    list[i] = { place = object.place(load), name = name, region = region, on = on }
   end
   return list
 end
@@ -139,7 +141,7 @@ local function flatten_source(source, far, region, holes)
 end
 
 local function flatten_mesh(mesh, region, holes)
-  local flat = fields_of(mesh, { "kind", "nx", "ny" })
+  local flat = flatten.fields(mesh, { "kind", "nx", "ny" })
   local size = given(mesh, "size")
   if type(size) == "number" then
     flat.size = size
@@ -160,9 +162,10 @@ local function flatten_cuts(flat, region, joint_index)
   for _, cut in ipairs(given(region, "cuts") or {}) do
     local list, entry
     if object.kind(cut) == "trace" then
-      list, entry = flat.traces, fields_of(cut, { "points", "bonded" })
+      list, entry = flat.traces, flatten.fields(cut, { "points", "bonded" })
     else
-      list, entry = flat.joint_sets, fields_of(cut, { "dip", "spacing", "persistence", "trace_length", "spacing_scatter",
+      list = flat.joint_sets
+      entry = flatten.fields(cut, { "dip", "spacing", "persistence", "trace_length", "spacing_scatter",
         "dip_scatter", "through", "seed", "bonded" })
     end
     local joint = given(cut, "joint")
@@ -178,7 +181,7 @@ end
 
 -- `joint_index(joint)` is the index of a property for this region; `default_joint` that of a region without one.
 function flatten.region(region, name, material_index, joint_index, default_joint)
-  local flat = fields_of(region, { "held", "velocity", "spin", "spin_centre", "body_force" })
+  local flat = flatten.fields(region, { "held", "velocity", "spin", "spin_centre", "body_force" })
   flat.name, flat.material = name, material_index
   flat.joint = joint_index(given(region, "joint") or default_joint)
   flat.order = get(region, "order") == "rigid" and "rigid" or "first"

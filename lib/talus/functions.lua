@@ -4,7 +4,9 @@ return {
     title = "A running simulation",
     doc = "What `talus.simulation` returns. It can be read at any time and changed between steps and in handlers; "
       .. "inside a step (in a law) it can only be read.",
-    { "sim:step()", "one accepted step; its status {step, time, dt, iterations, cuts, factorisations, residual, displacement, closed_contacts}, or nil when the run is finished" },
+    { "sim:step()",
+      "one accepted step; its status {step, time, dt, iterations, cuts, factorisations, residual, displacement,"
+        .. " closed_contacts}, or nil when the run is finished" },
     { "for status in sim:steps() do", "steps until the run is finished" },
     { "sim:run()", "the same, without stopping in between; the status of the last step" },
     { "sim:stop()", "finishes the run after this step" },
@@ -13,12 +15,16 @@ return {
     { "sim.time, sim.dt", "time now, last step (s)" },
     { "sim.finished, sim.last", "whether the run is finished; status of the last step" },
     { "sim.energy", "{kinetic, strain} (J per metre)" },
-    { "sim.totals", "{steps, iterations, cuts, factorisations, largest_iterations, largest_residual, seconds}; seconds: CPU time by part" },
-    { "sim:material(name), sim:joint(name), sim:fix(name), sim:load(name), sim:region(name)", "the object as the script made it, by name or number: `sim:load(\"push\").force = {0, -2e3}`" },
+    { "sim.totals",
+      "{steps, iterations, cuts, factorisations, largest_iterations, largest_residual, seconds}; seconds: CPU"
+        .. " time by part" },
+    { "sim:material(name), sim:joint(name), sim:fix(name), sim:load(name), sim:region(name)",
+      "the object as the script made it, by name or number: `sim:load(\"push\").force = {0, -2e3}`" },
     { "sim.blocks[7].sxx", "a field of one block (or joint, contact, probe), numbered from 1" },
     { "#sim.blocks", "how many; `ipairs` and `pairs` go through them" },
     { "sim.blocks:field(\"sxx\")", "a field of all of them, as a list" },
-    { "sim.blocks:select(function(block) return block.uy < 0 end)", "a list of those for which the function returns true" },
+    { "sim.blocks:select(function(block) return block.uy < 0 end)",
+      "a list of those for which the function returns true" },
     { "sim.blocks:where { region = \"beam\" }", "a list of those whose fields equal the given values" },
     { "sim.probes.tip.uy", "probes by name" },
     { "block.velocity = {vx, vy}, block.spin = w", "sets a block's velocity (m/s) and spin (rad/s)" },
@@ -26,7 +32,8 @@ return {
   {
     title = "Checks",
     doc = "Each prints one line, PASS or FAIL, and is kept in run.json. Any FAIL makes the exit status 1.",
-    { "talus.check.near(name, value, expected, {rel = r, abs = a})", "abs(value - expected) <= max(r*abs(expected), a)" },
+    { "talus.check.near(name, value, expected, {rel = r, abs = a})",
+      "abs(value - expected) <= max(r*abs(expected), a)" },
     { "talus.check.below(name, value, bound)", "value < bound" },
     { "talus.check.above(name, value, bound)", "value > bound" },
     { "talus.check.between(name, value, low, high)", "low <= value <= high" },
@@ -35,9 +42,13 @@ return {
   },
   {
     title = "Parameters and running",
-    doc = "`talus scene.lua -p size=0.1 -o out/fine`. With -o, the second and later simulations of a script write to "
+    doc = "`talus scene.lua -p size=0.1 -o out/fine`. With -o, the second and later simulations of a script"
+        .. " write to "
       .. "`<dir>/2`, `<dir>/3`, …; without it each needs an output.dir of its own.",
-    { "talus.param(name, default [, meaning])", "default, or what `-p name=value` says: a number, a text, true or false, as the default is. All are declared before the first simulation" },
-    { "require \"part\"", "runs part.lua in the scene's folder once; Lua's io, debug and most of os are not there" },
+    { "talus.param(name, default [, meaning])",
+      "default, or what `-p name=value` says: a number, a text, true or false, as the default is. All are"
+        .. " declared before the first simulation" },
+    { "require \"part\"",
+      "runs part.lua in the scene's folder once; Lua's io, debug and most of os are not there" },
   },
 }

@@ -14,7 +14,8 @@ local function closed(name, contents)
       local names = {}
       for known in pairs(contents) do names[#names + 1] = known end
       table.sort(names)
-      places.fail(places.here(), ("%s.%s: there is no such thing%s"):format(name, key, native.suggestion(tostring(key), names)))
+      local suggestion = native.suggestion(tostring(key), names)
+      places.fail(places.here(), ("%s.%s: there is no such thing%s"):format(name, key, suggestion))
     end,
     __newindex = function(_, key)
       places.fail(places.here(), ("%s.%s cannot be set"):format(name, key))

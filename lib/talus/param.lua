@@ -26,7 +26,8 @@ return function(name, default, meaning)
   end
   local read = readers[type(default)]
   if not read then
-    places.expected({ place = place, path = ("param %s: default"):format(name) }, "a number, a text, true or false", default)
+    local where = { place = place, path = ("param %s: default"):format(name) }
+    places.expected(where, "a number, a text, true or false", default)
   end
   local text = native.parameter(name, ("= %s%s"):format(default, meaning and ("  (%s)"):format(meaning) or ""))
   if text == nil then return default end

@@ -4,16 +4,18 @@ local object = require "talus.object"
 
 local profiles = {
   {
-    name = "default", doc = "The best we know: the defaults of the tables on this page.", numerics = {}, joint = {},
+    name = "default", doc = "The best we know: the defaults of the tables on this page.",
+    numerics = {}, joint = {},
   },
   {
     name = "ning2011",
-    doc = "The choices of Ning, Yang, An & Chen (2011): DDA's own integrator, and springs of fixed stiffness at contacts "
-      .. "and at the ends of bonds. A joint that says nothing else gets them too; E is that of the region's material, "
-      .. "between regions that of the softest one, when the simulation is put together. (Unlike the paper, no step is "
-      .. "accepted before its contacts have converged.)",
+    doc = "The choices of Ning, Yang, An & Chen (2011): DDA's own integrator, and springs of fixed stiffness at "
+      .. "contacts and at the ends of bonds, also for a joint that says nothing else. E is that of the region's "
+      .. "material, between regions that of the softest one, when the simulation is put together. (Unlike the paper, "
+      .. "no step is accepted before its contacts have converged.)",
     numerics = { integrator = "newmark", dynamic_parameter = 1 },
-    joint = { bond = "spring", stiffness = object.new("stiffness", { per = "contact", times_young = 40 }), shear_ratio = 1/2.5 },
+    joint = { bond = "spring", stiffness = object.new("stiffness", { per = "contact", times_young = 40 }),
+              shear_ratio = 1/2.5 },
   },
 }
 
@@ -30,10 +32,13 @@ local function read(self, name, choices)
   return value
 end
 
-return {
-  list = profiles,
-  presets = presets,
-  by_name = by_name,
-  numerics_value = function(numerics, name) return read(numerics, name, by_name[object.get(numerics, "profile")].numerics) end,
-  joint_value = function(joint, name, profile) return read(joint, name, profile.joint) end,
-}
+local function numerics_value(numerics, name)
+  return read(numerics, name, by_name[object.get(numerics, "profile")].numerics)
+end
+
+local function joint_value(joint, name, profile)
+  return read(joint, name, profile.joint)
+end
+
+return { list = profiles, presets = presets, by_name = by_name, numerics_value = numerics_value,
+         joint_value = joint_value }

@@ -16,9 +16,13 @@ end
 
 function rules.mesh(values, bad)
   local is_pattern = values.kind ~= nil and values.kind ~= "triangles"
-  if (values.nx == nil) ~= (values.ny == nil) then bad(values.nx and "ny" or "nx", "both nx and ny", "one of them") end
+  if (values.nx == nil) ~= (values.ny == nil) then
+    bad(values.nx and "ny" or "nx", "both nx and ny", "one of them")
+  end
   if values.nx and not is_pattern then bad("nx", 'kind "cross", "diagonal" or "alternating"', "triangles") end
-  if values.size == nil and not values.nx then bad("size", "a size (m)" .. (is_pattern and " or nx and ny" or ""), "nothing") end
+  if values.size == nil and not values.nx then
+    bad("size", is_pattern and "a size (m) or nx and ny" or "a size (m)", "nothing")
+  end
   if values.size ~= nil and values.nx then bad("size", "a size or nx and ny", "both") end
   if is_pattern and values.size ~= nil and type(values.size) ~= "number" then
     bad("size", "a number for a pattern", "a size field")
@@ -35,7 +39,9 @@ end
 
 function rules.stiffness(values, bad)
   one_of(values, "value", "times_young", bad)
-  if values.times_young and values.per ~= "contact" then bad("times_young", 'per = "contact"', "stiffness per length") end
+  if values.times_young and values.per ~= "contact" then
+    bad("times_young", 'per = "contact"', "stiffness per length")
+  end
 end
 
 function rules.joint_set(values, bad)
@@ -70,7 +76,9 @@ function rules.time(values, bad)
     end
     return
   end
-  if not values.t_end or values.t_end == 0 then bad("t_end", "a number > 0 (s) in dynamic mode", values.t_end or "nothing") end
+  if not values.t_end or values.t_end == 0 then
+    bad("t_end", "a number > 0 (s) in dynamic mode", values.t_end or "nothing")
+  end
   if values.steps then bad("steps", 'mode = "static"', "dynamic: give dt or displacement_ratio") end
   if values.dt_min and values.dt_max and values.dt_min > values.dt_max then
     bad("dt_min", ("at most dt_max = %g (s)"):format(values.dt_max), ("%g"):format(values.dt_min))

@@ -6,28 +6,32 @@ local types = require "talus.types"
 
 local point = { type = "point", unit = "m" }
 
+local function check_points(value, of_type, least, where)
+  if type(value) ~= "table" or getmetatable(value) ~= nil then places.expected(where, of_type.expected(), value) end
+  if #value < least then
+    places.fail(where.place, ("%s: expected %d or more points, got %d"):format(where.path, least, #value))
+  end
+  return types.check(value, { type = "list", of = point }, where)
+end
+
 -- A talus.polygon, rect or circle, or a plain list of points; kept as an outline object.
 types.outline = {}
-function types.outline.expected() return "an outline (talus.rect, talus.circle, talus.polygon or a list of points)" end
+function types.outline.expected()
+  return "an outline (talus.rect, talus.circle, talus.polygon or a list of points)"
+end
 function types.outline.check(value, _, where)
   if object.kind(value) == "outline" then return value end
-  if type(value) ~= "table" or getmetatable(value) ~= nil then places.expected(where, types.outline.expected(), value) end
-  if #value < 3 then
-    places.fail(where.place, ("%s: expected an outline of 3 or more points, got %d"):format(where.path, #value))
-  end
-  return object.wrap("outline", { points = types.check(value, { type = "list", of = point }, where) }, where.place)
+  return object.wrap("outline", { points = check_points(value, types.outline, 3, where) }, where.place)
 end
 
 -- Two or more points; kept as a list of points.
 types.polyline = {}
-function types.polyline.expected() return "a list of 2 or more points, or a talus.line" end
+function types.polyline.expected()
+  return "a list of 2 or more points, or a talus.line"
+end
 function types.polyline.check(value, _, where)
   if object.kind(value) == "line" then return { value.from, value.to } end
-  if type(value) ~= "table" or getmetatable(value) ~= nil then places.expected(where, types.polyline.expected(), value) end
-  if #value < 2 then
-    places.fail(where.place, ("%s: expected 2 or more points, got %d"):format(where.path, #value))
-  end
-  return types.check(value, { type = "list", of = point }, where)
+  return check_points(value, types.polyline, 2, where)
 end
 
 -- A mesh size. A function is tried when its region is made, where the outline is known.
@@ -44,7 +48,8 @@ end
 types.on = {}
 local sides = { type = "enum", values = { "left", "right", "top", "bottom" } }
 function types.on.expected(spec)
-  return ("a talus.line, %sor sides of the region (%s)"):format(spec.points and "a talus.point " or "", types.expected(sides))
+  local point_text = spec.points and "a talus.point " or ""
+  return ("a talus.line, %sor sides of the region (%s)"):format(point_text, types.expected(sides))
 end
 local function check_one_on(value, spec, where)
   local kind = object.kind(value)

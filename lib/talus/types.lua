@@ -79,7 +79,8 @@ function types.enum.check(value, spec, where)
     for _, known in ipairs(spec.values) do words[#words + 1] = tostring(known) end
     local near = native.suggestion(value, words)
     if near:find("did you mean", 1, true) then
-      places.fail(where.place, ("%s: expected %s, got %q%s"):format(where.path, types.enum.expected(spec), value, near))
+      local words_text = types.enum.expected(spec)
+      places.fail(where.place, ("%s: expected %s, got %q%s"):format(where.path, words_text, value, near))
     end
   end
   expected(where, types.enum.expected(spec), value)
@@ -87,18 +88,22 @@ end
 
 -- A list of exactly `count` numbers.
 local function tuple_type(words, count)
-  return {
-    expected = function(spec) return words .. unit_text(spec) end,
-    check = function(value, spec, where)
-      if type(value) ~= "table" or #value ~= count then expected(where, words .. unit_text(spec), value) end
-      local kept = {}
-      for i = 1, count do kept[i] = types.number.check(value[i], { unit = spec.unit }, inside(where, ("[%d]"):format(i))) end
-      for key in pairs(value) do
-        if math.type(key) ~= "integer" then expected(where, words .. unit_text(spec), value) end
-      end
-      return kept
-    end,
-  }
+  local of_type = {}
+  function of_type.expected(spec)
+    return words .. unit_text(spec)
+  end
+  function of_type.check(value, spec, where)
+    if type(value) ~= "table" or #value ~= count then expected(where, of_type.expected(spec), value) end
+    for key in pairs(value) do
+      if math.type(key) ~= "integer" then expected(where, of_type.expected(spec), value) end
+    end
+    local kept = {}
+    for i = 1, count do
+      kept[i] = types.number.check(value[i], { unit = spec.unit }, inside(where, ("[%d]"):format(i)))
+    end
+    return kept
+  end
+  return of_type
 end
 
 types.point = tuple_type("a point {x, y}", 2)
@@ -112,12 +117,13 @@ function types.list.expected(spec)
   return ("a list%s, each element %s"):format(count, types.expected(spec.of))
 end
 function types.list.check(value, spec, where)
+  local words = types.list.expected(spec)
   if type(value) == "table" and getmetatable(value) ~= nil then value = { value } end
-  if type(value) ~= "table" or #value < (spec.count or 0) then expected(where, types.list.expected(spec), value) end
+  if type(value) ~= "table" or #value < (spec.count or 0) then expected(where, words, value) end
   for key in pairs(value) do
     if math.type(key) ~= "integer" or key < 1 or key > #value then
-      places.fail(where.place, ("%s: expected %s, got the key %s in it"):format(where.path, types.list.expected(spec),
-        native.describe(key)))
+      local given = native.describe(key)
+      places.fail(where.place, ("%s: expected %s, got the key %s in it"):format(where.path, words, given))
     end
   end
   local kept = {}

@@ -22,11 +22,12 @@ class Schema : public testing::Test {
     lua_State* L = state_.get();
     set_search_path(L, "", state_.library());
     open_native(L);
-    const std::string chunk = "local native = require 'talus.native'\n"
-                              "native.create = function(scene) made = scene; return {} end\n"
-                              "local talus = require 'talus'\n"
-                              "local rock = talus.material { density = 2000, young = 1e9, poisson = 0.25 }\n" +
-                              script;
+    const std::string chunk =
+        "local native = require 'talus.native'\n"
+        "native.create = function(scene) made = scene; return {} end\n"
+        "local talus = require 'talus'\n"
+        "local rock = talus.material { density = 2000, young = 1e9, poisson = 0.25 }\n" +
+        script;
     if (luaL_loadbufferx(L, chunk.data(), chunk.size(), "@scene.lua", "t") != LUA_OK) throw pop_error(L);
     protected_call(L, 0, 0);
     lua_getglobal(L, "made");
@@ -149,7 +150,9 @@ talus.simulation { regions = {
   talus.region { name = "d", outline = talus.rect(6, 0, 7, 1), material = rock, joint = bond } },
   time = { t_end = 1 }, numerics = talus.profile.ning2011 })");
   EXPECT_EQ(s.numerics.integrator, Integrator::newmark);
-  const auto property = [&](int region) { return s.properties[static_cast<std::size_t>(s.regions[static_cast<std::size_t>(region)].joint)]; };
+  const auto property = [&](int region) {
+    return s.properties[static_cast<std::size_t>(s.regions[static_cast<std::size_t>(region)].joint)];
+  };
   EXPECT_EQ(property(0).bond, BondKind::spring);
   EXPECT_EQ(property(0).stiffness_kind, StiffnessKind::per_contact);
   EXPECT_EQ(property(0).stiffness, 40e9);

@@ -46,16 +46,24 @@ TEST(LuaState, ErrorsOfTheScriptCarryNoTraceback) {
   EXPECT_EQ(run(state, "error(setmetatable({}, {__tostring = function() return 'mine' end}))"), "mine");
 }
 
-int throws_logic_error(lua_State*) { throw std::logic_error("a fault"); }
-int throws_run_error(lua_State*) { throw RunError("no equilibrium"); }
+int throws_logic_error(lua_State*) {
+  throw std::logic_error("a fault");
+}
+int throws_run_error(lua_State*) {
+  throw RunError("no equilibrium");
+}
 
 TEST(Boundary, ExceptionsBecomeErrorsWithAKind) {
   const LuaState state;
   lua_register(state.get(), "fault", guarded<throws_logic_error>);
   lua_register(state.get(), "stop", guarded<throws_run_error>);
-  EXPECT_EQ(run(state, "local ok, e = pcall(fault); assert(not ok and e.kind == 'internal' and tostring(e) == 'a fault')"),
-            "");
-  EXPECT_EQ(run(state, "local ok, e = pcall(stop); assert(e.kind == 'run'); assert('x: ' .. e == 'x: no equilibrium')"), "");
+  EXPECT_EQ(
+      run(state,
+          "local ok, e = pcall(fault); assert(not ok and e.kind == 'internal' and tostring(e) == 'a fault')"),
+      "");
+  EXPECT_EQ(
+      run(state, "local ok, e = pcall(stop); assert(e.kind == 'run'); assert('x: ' .. e == 'x: no equilibrium')"),
+      "");
   lua_getglobal(state.get(), "stop");
   try {
     protected_call(state.get(), 0, 0);
@@ -85,7 +93,9 @@ TEST(Nearest, FindsSlipsOfTheKeyboard) {
 TEST(TableReader, ReadsAndRefuses) {
   const LuaState state;
   lua_State* L = state.get();
-  ASSERT_EQ(run(state, "t = { a = 1.5, n = 3, p = {1, 2}, line = {{0, 0}, {1, 2}}, list = {{x = 1}, {x = 2}}, i = 4 }"), "");
+  ASSERT_EQ(
+      run(state, "t = { a = 1.5, n = 3, p = {1, 2}, line = {{0, 0}, {1, 2}}, list = {{x = 1}, {x = 2}}, i = 4 }"),
+      "");
   lua_getglobal(L, "t");
   const TableReader t(L, -1);
   double a = 0, missing = 7;

@@ -1,11 +1,13 @@
 -- What holds, moves and loads the regions, contacts between them, and probes.
-local name = { name = "name", type = "string", default_doc = "`fix 1`, `load 1`, …", doc = "for `sim:fix(name)`, `sim:load(name)`" }
+local name = { name = "name", type = "string", default_doc = "`fix 1`, `load 1`, …",
+  doc = "for `sim:fix(name)`, `sim:load(name)`" }
 local function region(required, default_doc, doc)
   return { name = "region", type = "region", required = required, default_doc = default_doc, doc = doc }
 end
 local function on(required, default_doc)
   return { name = "on", type = "on", required = required, default_doc = default_doc,
-    doc = "a `talus.line` (boundary edges on it), or sides of the region's box: `\"left\"`, `\"right\"`, `\"top\"`, `\"bottom\"`, one or a list" }
+    doc = "a `talus.line` (boundary edges on it), or sides of the region's box: `\"left\"`, `\"right\"`,"
+        .. " `\"top\"`, `\"bottom\"`, one or a list" }
 end
 local on_point = on(false, "the whole region")
 on_point.points = true
@@ -20,9 +22,12 @@ return {
       on_point,
       { name = "x", type = "boolean", default_doc = "true unless only y is given", doc = "held along x" },
       { name = "y", type = "boolean", default_doc = "true unless only x is given", doc = "held along y" },
-      { name = "displacement", type = "histories", unit = "m", default_doc = "none", live = true, doc = "prescribed displacement since the start" },
-      { name = "velocity", type = "histories", unit = "m/s", default_doc = "none", live = true, doc = "prescribed velocity" },
-      { name = "spin", type = "number", unit = "rad/s", default = 0, live = true, doc = "prescribed spin of a whole region about its centroid" },
+      { name = "displacement", type = "histories", unit = "m", default_doc = "none", live = true,
+        doc = "prescribed displacement since the start" },
+      { name = "velocity", type = "histories", unit = "m/s", default_doc = "none", live = true,
+        doc = "prescribed velocity" },
+      { name = "spin", type = "number", unit = "rad/s", default = 0, live = true,
+        doc = "prescribed spin of a whole region about its centroid" },
     },
   },
   {
@@ -31,7 +36,8 @@ return {
       name,
       { name = "at", type = "point", unit = "m", required = true, doc = "where, at the start" },
       region(false, "the one that holds the point", "its name, or the region itself"),
-      { name = "force", type = "histories", unit = "N", required = true, live = true, doc = "force, global directions" },
+      { name = "force", type = "histories", unit = "N", required = true, live = true,
+        doc = "force, global directions" },
     },
   },
   {
@@ -45,18 +51,21 @@ return {
     kind = "pressure", call = "talus.pressure", doc = "A pressure on boundary edges; it follows the edges.",
     fields = {
       name, region(true, nil, "its name, or the region itself"), on(true),
-      { name = "value", type = "history", unit = "Pa", required = true, live = true, doc = "pressure, positive towards the rock" },
+      { name = "value", type = "history", unit = "Pa", required = true, live = true,
+        doc = "pressure, positive towards the rock" },
     },
   },
   {
     kind = "contact", call = "talus.contact", doc = "The joint property of contacts between two regions.",
     fields = {
-      { name = "between", type = "list", of = { type = "region" }, count = 2, required = true, doc = "two regions, by name or themselves; the same twice for its own blocks" },
+      { name = "between", type = "list", of = { type = "region" }, count = 2, required = true,
+        doc = "two regions, by name or themselves; the same twice for its own blocks" },
       { name = "joint", type = "object", kinds = { "joint" }, required = true, doc = "property of the contacts" },
     },
   },
   {
-    kind = "probe", call = "talus.probe", doc = "A material point whose motion and stress are recorded. `{x, y}` alone will do.",
+    kind = "probe", call = "talus.probe",
+    doc = "A material point whose motion and stress are recorded. `{x, y}` alone will do.",
     fields = {
       { name = "at", type = "point", unit = "m", required = true, doc = "where, at the start" },
       region(false, "the one that holds the point", "its name, or the region itself"),

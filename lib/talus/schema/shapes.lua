@@ -1,10 +1,12 @@
 -- Points, lines, outlines, and mesh sizes. Lengths in m.
 local points = { type = "point", unit = "m" }
-local hole_name = { name = "name", type = "string", default_doc = "none", doc = "for holes: what `talus.grade` calls it" }
+local hole_name = { name = "name", type = "string", default_doc = "none",
+  doc = "for holes: what `talus.grade` calls it" }
 
 return {
   {
-    kind = "outline", call = "talus.polygon", doc = "A simple polygon: `talus.polygon { {0, 0}, {2, 0}, {1, 1} }`.",
+    kind = "outline", call = "talus.polygon",
+    doc = "A simple polygon: `talus.polygon { {0, 0}, {2, 0}, {1, 1} }`.",
     fields = {
       { name = "points", type = "list", of = points, count = 3, positional = true, required = true,
         doc = "corners in order, either way round" },
@@ -21,7 +23,8 @@ return {
     },
   },
   {
-    kind = "circle", call = "talus.circle", doc = "A regular polygon with its corners on a circle. The result is an outline.",
+    kind = "circle", call = "talus.circle",
+    doc = "A regular polygon with its corners on a circle. The result is an outline.",
     fields = {
       { name = "at", type = "point", unit = "m", required = true, doc = "centre" },
       { name = "radius", type = "number", above = 0, unit = "m", required = true, doc = "radius" },
@@ -43,12 +46,14 @@ return {
   },
   {
     kind = "running_bond", call = "talus.running_bond",
-    doc = "Outlines of the bricks of a wall, every other course shifted by half a brick, for `blocks` of a region. "
+    doc = "Outlines of the bricks of a wall, every other course shifted by half a brick, for `blocks` of a"
+        .. " region. "
       .. "The shifted courses end in half bricks.",
     fields = {
       { name = "at", type = "point", unit = "m", required = true, doc = "lower left corner" },
       { name = "courses", type = "integer", least = 1, most = 10000, required = true, doc = "layers of bricks" },
-      { name = "per_course", type = "integer", least = 1, most = 10000, required = true, doc = "bricks in a full layer" },
+      { name = "per_course", type = "integer", least = 1, most = 10000, required = true,
+        doc = "bricks in a full layer" },
       { name = "length", type = "number", above = 0, unit = "m", required = true, doc = "of a brick, along x" },
       { name = "height", type = "number", above = 0, unit = "m", required = true, doc = "of a brick, along y" },
     },
@@ -58,9 +63,11 @@ return {
     doc = "A mesh size that grows linearly away from some places: "
       .. "`talus.grade { { at = \"hole\", size = 0.05 }, far = 0.4 }`.",
     fields = {
-      { name = "sources", type = "list", of = { type = "object", kinds = { "grade_source" }, inline = true }, count = 1,
+      { name = "sources", type = "list", of = { type = "object", kinds = { "grade_source" }, inline = true },
+        count = 1,
         positional = true, required = true, doc = "where the mesh is fine" },
-      { name = "far", type = "number", above = 0, unit = "m", required = true, doc = "size away from all of them" },
+      { name = "far", type = "number", above = 0, unit = "m", required = true,
+        doc = "size away from all of them" },
     },
   },
   {
