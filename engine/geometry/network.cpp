@@ -266,18 +266,28 @@ bool NetworkMaker::split_once() {
   return true;
 }
 
-// Of edges that coincide the first of the boundary or of the lowest trace stays; the order is kept.
+// Of edges that coincide the one of the boundary or of the lowest trace stays; the order is kept. Two edges of
+// the boundary, the sides of a crack that is closed but for round-off, bound nothing.
 void NetworkMaker::drop_doubles() {
-  std::vector<std::tuple<int, int, int, int>> keys;
+  struct Key {
+    int low, high, trace, index;
+  };
+  std::vector<Key> keys;
   for (int i = 0; i < static_cast<int>(edges_.size()); ++i) {
     const Edge& e = edges_[i];
-    keys.emplace_back(std::min(e.p, e.q), std::max(e.p, e.q), e.trace, i);
+    keys.push_back({std::min(e.p, e.q), std::max(e.p, e.q), e.trace, i});
   }
-  std::sort(keys.begin(), keys.end());
+  std::sort(keys.begin(), keys.end(), [](const Key& k, const Key& l) {
+    return std::tie(k.low, k.high, k.trace, k.index) < std::tie(l.low, l.high, l.trace, l.index);
+  });
   std::vector<bool> keep(edges_.size(), false);
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    const auto& [p, q, trace, i] = keys[k];
-    if (k == 0 || std::get<0>(keys[k - 1]) != p || std::get<1>(keys[k - 1]) != q) keep[i] = true;
+  for (auto first = keys.begin(), last = first; first != keys.end(); first = last) {
+    last = std::find_if(first, keys.end(),
+                        [&](const Key& k) { return k.low != first->low || k.high != first->high; });
+    const auto first_trace = std::find_if(first, last, [](const Key& k) { return k.trace >= 0; });
+    const bool on_boundary = (first_trace - first) % 2 == 1;
+    if (on_boundary) keep[first->index] = true;
+    if (!on_boundary && first_trace != last) keep[first_trace->index] = true;
   }
   std::vector<Edge> kept;
   for (std::size_t i = 0; i < edges_.size(); ++i)

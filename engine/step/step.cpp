@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
@@ -102,7 +101,6 @@ StepReport Stepper::equilibrium(bool stick) {
     assemble(scheme, stick);
     result = open_close_.judge(model_, system_, contacts_);
     report.residual = result.residual;
-    if(getenv("DBG"))fprintf(stderr,"static %d res %g in %g it %d\n",i,result.residual,inertia,report.iterations);
     if (i > 0 && result.residual <= model_.scene.numerics.static_tolerance) return report;
     result = solve(d);
     report.iterations += result.iterations;

@@ -102,6 +102,36 @@ TEST(HistoryTable, HeaderWithUnitsAndRowsThatReadBack) {
   EXPECT_EQ(table[3][15], "3.5");
 }
 
+TEST(HistoryTable, RangeOfUserArraysOverTheBlocks) {
+  const std::string dir = scratch("range");
+  Scene scene = falling(dir);
+  scene.probes.clear();
+  scene.regions[0].outlines.push_back(test::rectangle(5, 0, 1, 1));
+  scene.output.fields = {{"heat", [](int block) { return block == 0 ? -2.0 : 7.0; }}};
+  run(scene);
+  const auto table = rows(dir);
+  EXPECT_EQ((std::vector<std::string>(table[1].end() - 3, table[1].end())),
+            (std::vector<std::string>{"-2", "2.5", "7"}));
+  EXPECT_EQ(files(dir).count("joints.pvd"), 1u);  // two bodies may touch
+  EXPECT_EQ(files(dir).count("joints_00001.vtp"), 1u);
+}
+
+TEST(HistoryTable, ResidualIsTheLargestSinceTheLastRow) {
+  const std::string dir = scratch("residual");
+  Scene scene = falling(dir);
+  scene.output.every = 0.5;
+  Simulation simulation(scene);
+  RunOutput output(simulation, "");
+  output.after_step(simulation);
+  for (const double residual : {3e-9, 2e-9, 1e-9, 5e-10}) {
+    simulation.step();
+    simulation.last.residual = residual;
+    output.after_step(simulation);
+  }
+  EXPECT_EQ(rows(dir)[2][6], "3e-09");
+  EXPECT_EQ(rows(dir)[3][6], "1e-09");
+}
+
 TEST(RunOutput, WritesAtMultiplesFirstAndLast) {
   const std::string dir = scratch("schedule");
   Scene scene = falling(dir);

@@ -87,6 +87,7 @@ TEST(ColourScale, BothSignsAreCentredAtZero) {
   EXPECT_DOUBLE_EQ(scale.place(0), 0.5);
   EXPECT_DOUBLE_EQ(scale.place(4), 1);
   EXPECT_DOUBLE_EQ(scale.place(-1), 0.375);  // the same step of colour for the same difference on both sides
+  EXPECT_DOUBLE_EQ(colour_scale({-4, 0, 1}, false).place(1), 0.625);
   EXPECT_EQ(colour_scale({1, 2, 3}, false).map, ColourMap::sequential);
   EXPECT_EQ(colour_scale({-0.01, 2, 3}, false).map, ColourMap::sequential);  // a trace only
 }
