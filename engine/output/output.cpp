@@ -62,6 +62,7 @@ void RunOutput::Parts::write_frame(Simulation& simulation) {
   add_row(simulation, arrays);
   ++frames;
   frame_step = simulation.totals.steps;
+  if (output.on_frame) output.on_frame();
 }
 
 namespace {
