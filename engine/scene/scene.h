@@ -165,7 +165,8 @@ struct TimeControl {
   double dt_min = 0;            // s; 0: 1e-6 of the first step
   double dt_max = 0;            // s; 0: no bound but t_end/10
   double displacement_ratio = 0.005;  // largest displacement a step / half the height of the scene
-  bool settled_start = false;   // dynamic: begin from static equilibrium with joints that do not slide
+  bool settled_start = false;   // dynamic: begin from static equilibrium, with joints that do not slide where friction
+                                // cannot hold
   long max_steps = 0;           // 0: no bound
 };
 

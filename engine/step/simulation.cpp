@@ -49,7 +49,7 @@ StepReport Simulation::step() {
 void Simulation::settle() {
   std::vector<std::array<double, max_dofs>> velocities;
   for (const BlockState& state : model.blocks) velocities.push_back(state.velocity);
-  stepper_->equilibrium(true);
+  stepper_->settle();
   for (size_t b = 0; b < velocities.size(); ++b) model.blocks[b].velocity = velocities[b];
 }
 

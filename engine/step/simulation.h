@@ -58,7 +58,7 @@ class Simulation {
   std::vector<std::function<void(Simulation&)>> on_step;
 
  private:
-  void settle();  // equilibrium with joints that do not slide; the initial velocities stay
+  void settle();  // equilibrium, with the initial velocities kept
 
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<Recovery> recovery_;

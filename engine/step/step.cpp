@@ -17,6 +17,7 @@ namespace {
 // put: this part of (wave speed / size)², far below the slowest mode of what is held.
 constexpr double equilibrium_inertia = 1e-4;
 constexpr int equilibrium_iterations = 200;
+constexpr int release_iterations = 20;  // from the sticking one; a scene that slides is not followed further
 
 std::string block_name(const Model& model, int block) {
   char text[160];
@@ -80,7 +81,32 @@ StepReport Stepper::dynamic_step() {
 }
 
 StepReport Stepper::equilibrium(bool stick) {
-  StepReport report;
+  Equilibrium search;
+  if (find_equilibrium(stick, equilibrium_iterations, search)) return search.report;
+  if (!search.last.converged) give_up(search.last, 0);
+  not_in_equilibrium(search.last, search.d);
+}
+
+void Stepper::settle() {
+  equilibrium(true);
+  if (!plan_.contacts) return;
+  // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
+  // starts from there, or the first steps would shake it.
+  const std::vector<BlockState> blocks = model_.blocks;
+  const std::vector<Contact> contacts = model_.contacts;
+  const std::vector<Joint> joints = model_.joints;
+  Equilibrium search;
+  if (!find_equilibrium(false, release_iterations, search)) {
+    model_.blocks = blocks;
+    model_.contacts = contacts;
+    model_.joints = joints;
+    model_.place_vertices();
+  }
+  for (Contact& contact : model_.contacts) contact.slip = 0;
+}
+
+bool Stepper::find_equilibrium(bool stick, int iterations, Equilibrium& search) {
+  auto& [report, result, d] = search;
   double wave_speed2 = 0;
   for (const Material& material : model_.scene.materials)
     wave_speed2 = std::max(wave_speed2, material.young / material.density);
@@ -90,9 +116,7 @@ StepReport Stepper::equilibrium(bool stick) {
   double inertia = least_inertia;
   for (BlockState& state : model_.blocks) state.velocity.fill(0);
   if (plan_.held_blocks) place_held_blocks(model_);
-  Vector d;
-  OpenCloseResult result;
-  for (int i = 0; i < equilibrium_iterations; ++i) {
+  for (int i = 0; i < iterations; ++i) {
     const Scheme scheme = Scheme::equilibrium(inertia);
     if (plan_.contacts) {
       PartTimer timer(totals_, "contact search");
@@ -101,7 +125,7 @@ StepReport Stepper::equilibrium(bool stick) {
     assemble(scheme, stick);
     result = open_close_.judge(model_, system_, contacts_);
     report.residual = result.residual;
-    if (i > 0 && result.residual <= model_.scene.numerics.static_tolerance) return report;
+    if (i > 0 && result.residual <= model_.scene.numerics.static_tolerance) return true;
     result = solve(d);
     report.iterations += result.iterations;
     if (!result.converged && plan_.contacts && result.singular_block < 0) {
@@ -109,7 +133,7 @@ StepReport Stepper::equilibrium(bool stick) {
       ++totals_.cuts;
       continue;
     }
-    if (!result.converged) give_up(result, 0);
+    if (!result.converged) return false;
     std::vector<BlockState> moved = moved_blocks(model_, scheme, d);
     const double displacement = largest_displacement(model_, moved);
     if (plan_.contacts && displacement > too_far) {
@@ -121,7 +145,7 @@ StepReport Stepper::equilibrium(bool stick) {
     report.displacement = std::max(report.displacement, displacement);
     accept(std::move(moved));
   }
-  not_in_equilibrium(result, d);
+  return false;
 }
 
 void Stepper::assemble(const Scheme& scheme, bool stick) {

@@ -21,8 +21,16 @@ class Stepper {
   StepReport dynamic_step();
   // Equilibrium under the loads of model.time. `stick`: contacts do not slide (settled start).
   StepReport equilibrium(bool stick);
+  // The start of a settled run: equilibrium with friction where there is one, else that in which nothing slides.
+  void settle();
 
  private:
+  struct Equilibrium {
+    StepReport report;
+    OpenCloseResult last;
+    Vector d;  // m, last displacements
+  };
+  bool find_equilibrium(bool stick, int iterations, Equilibrium& search);
   OpenCloseResult solve(Vector& d);
   void assemble(const Scheme& scheme, bool stick);
   void accept(std::vector<BlockState> moved);
