@@ -1,6 +1,6 @@
 #include "equations/recovery.h"
 
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -12,28 +12,56 @@ namespace {
 
 // Edge of the equilateral triangle with a block's area, in units of √area.
 constexpr double edge_per_length = 1.5197;
-constexpr double patch_edges = 3;
+// Corners count by (1 - (r/R)²)², so that none matters more for being just inside the patch.
+constexpr double patch_edges = 4;
+// Pivots below this part of the largest: corners that lie on a line or a conic.
+constexpr double least_pivot = 1e-10;
 
-// Monomials 1, x, y, x², xy, y², x³, x²y, xy², y³.
-Eigen::Matrix<double, 10, 1> monomials(const Vec2& p) {
-  const double x = p.x(), y = p.y();
-  Eigen::Matrix<double, 10, 1> m;
-  m << 1, x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y;
-  return m;
+// Displacements in a patch: a polynomial in x, y (of the patch's radius) with unknowns for u, then for v, then
+// those of the cubic terms. The ten monomials of degree 3 in u and v need not be free: where body force and
+// acceleration hardly vary over the patch, div σ is constant in it, which ties x³ and y³ to the mixed terms.
+struct Cubic {
+  double x3_by_xy2, x3_by_other, y3_by_x2y, y3_by_other;
+  explicit Cubic(const Mat3& stiffness) {
+    const double direct = stiffness(0, 0), shear = stiffness(2, 2), cross = stiffness(0, 1) + shear;
+    x3_by_xy2 = -shear / (3 * direct);
+    x3_by_other = -cross / (3 * direct);
+    y3_by_x2y = -direct / (3 * shear);
+    y3_by_other = -cross / (3 * shear);
+  }
+};
+
+constexpr int most_unknowns = 16;
+using Normal = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns, most_unknowns>;
+using Side = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_unknowns, 1>;
+
+// Rows for u and v at p; `terms` monomials of degree < 3 each, and 4 mixed unknowns when `cubic` is given.
+void rows_at(const Vec2& p, int terms, const Cubic* cubic, Side& u, Side& v) {
+  const double x = p.x(), y = p.y(), m[6] = {1, x, y, x * x, x * y, y * y};
+  u.setZero();
+  v.setZero();
+  for (int k = 0; k < terms; ++k) u[k] = v[terms + k] = m[k];
+  if (!cubic) return;
+  const double x3 = x * x * x, y3 = y * y * y, x2y = x * x * y, xy2 = x * y * y;
+  const int u_x2y = 2 * terms, u_xy2 = u_x2y + 1, v_x2y = u_x2y + 2, v_xy2 = u_x2y + 3;
+  u[u_x2y] = x2y + cubic->y3_by_x2y * y3;
+  u[v_xy2] = cubic->y3_by_other * y3;
+  u[u_xy2] = xy2 + cubic->x3_by_xy2 * x3;
+  u[v_x2y] = cubic->x3_by_other * x3;
+  v[v_x2y] = x2y + cubic->x3_by_xy2 * y3;
+  v[u_xy2] = cubic->x3_by_other * y3;
+  v[v_xy2] = xy2 + cubic->y3_by_x2y * x3;
+  v[u_x2y] = cubic->y3_by_other * x3;
 }
 
-// Terms a patch of `count` corners can carry with at least half as many points again.
-int terms_for(size_t count) { return count >= 15 ? 10 : count >= 9 ? 6 : count >= 5 ? 3 : 0; }
-
-// Stress of the deformation gradient F with the strain U - I of F = R U.
-Vec3 stress_of(const Model& model, int block, const Mat2& f) {
+// Stress of a block whose material is turned by `base` and then deformed by the gradient f = R U.
+Vec3 stress_of(const Model& model, int block, double base, const Mat2& f) {
   const double angle = std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));  // polar rotation of a 2×2 matrix
-  const Rotation rotation = Rotation::of(angle);
-  Mat2 r;
-  r << rotation.c, -rotation.s, rotation.s, rotation.c;
-  const Mat2 u = r.transpose() * f;
-  const Vec3 strain(u(0, 0) - 1, u(1, 1) - 1, u(0, 1) + u(1, 0));
-  return turn_stress(rotation, model.shapes[block].initial_stress + elasticity(model.material(block)) * strain);
+  const Rotation r = Rotation::of(angle);
+  const Vec2 x = r.back(f.col(0)), y = r.back(f.col(1));  // columns of U
+  const Vec3 strain(x.x() - 1, y.y() - 1, x.y() + y.x());
+  return turn_stress(Rotation::of(base + angle),
+                     model.shapes[block].initial_stress + elasticity(model.material(block)) * strain);
 }
 
 }  // namespace
@@ -126,22 +154,33 @@ Vec3 Recovery::stress_at(const Model& model, int block, const Vec2& in_block) co
   if (model.shapes[block].dofs <= 3) return model.stress(block);
   const Vec2 at = model.reference_place(block, in_block);
   const Patch patch = this->patch(model, block, at);
-  const int terms = terms_for(patch.corners.size());
+  const size_t count = patch.corners.size();
+  // Half as many corners again as the polynomial needs: else one of lower degree.
+  const int terms = count >= 9 ? 6 : count >= 5 ? 3 : 0;
   if (terms == 0) return model.stress(block);
-  const int count = int(patch.corners.size());
-  Eigen::MatrixXd a(count, terms), u(count, 2);
-  for (int k = 0; k < count; ++k) {
-    const int corner = patch.corners[k];
-    a.row(k) = monomials((corner_position_[corner] - at) / patch.radius).head(terms).transpose();
-    u.row(k) = corner_displacement_[corner].transpose();
+  const Cubic cubic(elasticity(model.material(block)));
+  const Cubic* const with_cubic = count >= 15 ? &cubic : nullptr;
+  const int unknowns = 2 * terms + (with_cubic ? 4 : 0);
+  // The fit is made in the block's turned axes, where the equations of elasticity hold.
+  const double base = model.blocks[block].angle;
+  const Rotation turned = Rotation::of(base);
+  Normal normal = Normal::Zero(unknowns, unknowns);
+  Side right = Side::Zero(unknowns), u(unknowns), v(unknowns);
+  for (const int corner : patch.corners) {
+    const Vec2 place = corner_position_[corner] - at;
+    const Vec2 moved = turned.back(corner_displacement_[corner]) +
+                       Vec2(turned.c1 * place.x() + turned.s * place.y(), -turned.s * place.x() + turned.c1 * place.y());
+    rows_at(place / patch.radius, terms, with_cubic, u, v);
+    const double part = 1 - place.squaredNorm() / (patch.radius * patch.radius), weight = part * part;
+    normal.noalias() += weight * (u * u.transpose() + v * v.transpose());
+    right += weight * (moved.x() * u + moved.y() * v);
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a);
-  if (qr.rank() < terms) return model.stress(block);
-  const Eigen::MatrixXd c = qr.solve(u);
-  Mat2 f = Mat2::Identity();
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) f(i, j) += c(1 + j, i) / patch.radius;
-  return stress_of(model, block, f);
+  const Eigen::LDLT<Normal> factor(normal);
+  if (factor.vectorD().minCoeff() < least_pivot * factor.vectorD().maxCoeff()) return model.stress(block);
+  const Side c = factor.solve(right) / patch.radius;
+  Mat2 f;
+  f << 1 + c[1], c[2], c[terms + 1], 1 + c[terms + 2];
+  return stress_of(model, block, base, f);
 }
 
 }  // namespace talus

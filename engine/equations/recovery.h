@@ -1,9 +1,10 @@
 #pragma once
 // Smoothed stress for first-order blocks: block displacements are averaged at the corners that bonded blocks
-// share, a cubic polynomial is fitted to the corners within 3 h of a point (least squares), and its gradient
-// F = R U gives the stress through the strain U - I. One recovery serves output, probes and checks.
-// Only blocks that can be reached through intact joints take part, so a crack separates its faces.
-// Source: patch recovery of Zienkiewicz & Zhu (1992), here of displacements instead of stresses.
+// share, a cubic polynomial with constant div σ is fitted to the corners within 4 h of a point (weighted least
+// squares), and its gradient F = R U gives the stress through the strain U - I. One recovery serves output,
+// probes and checks. Only blocks that can be reached through intact joints take part: a crack separates its faces.
+// Sources: patch recovery of Zienkiewicz & Zhu (1992), here of displacements; the equilibrium constraint is that of
+// Wiberg & Abdulwahab (1993), with div σ left constant instead of given, so that it holds in motion too.
 #include <vector>
 
 #include "model/model.h"
