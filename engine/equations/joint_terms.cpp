@@ -155,6 +155,9 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
     const BlockShape &shape_a = model.shapes[joint.a], &shape_b = model.shapes[joint.b];
     system.add_force(shape_a, joint.a, fa);
     system.add_force(shape_b, joint.b, fb);
+    const double size = std::max(a.pose.shift.norm(), b.pose.shift.norm()), stiff = std::max(kn, ks) * joint.length;
+    system.add_rounding(joint.a, stiff, size);
+    system.add_rounding(joint.b, stiff, size);
     if (shape_a.dofs) system.matrix.add(slots_[j].aa, false, kaa);
     if (shape_b.dofs) system.matrix.add(slots_[j].bb, false, kbb);
     if (shape_a.dofs && shape_b.dofs) system.matrix.add(slots_[j].ab, slots_[j].ab.row != joint.a, kab);
@@ -184,6 +187,7 @@ void JointTerms::add_ground(const Model& model, const Poses& poses, const Scheme
            (ground_stiffness_[e] * t.transpose() * held * t - t.transpose() * held * s - s.transpose() * held * t);
     }
     system.add_force(model.shapes[edge.block], edge.block, f);
+    system.add_rounding(edge.block, ground_stiffness_[e] * edge.length, a.pose.shift.norm());
     if (model.shapes[edge.block].dofs) system.matrix.add(system.matrix.slot(edge.block, edge.block), false, k);
   }
 }

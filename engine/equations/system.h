@@ -1,5 +1,7 @@
 #pragma once
 // The linear part of a step: K d = f for everything but contacts.
+#include <limits>
+
 #include "equations/block_matrix.h"
 #include "equations/kinematics.h"
 
@@ -10,15 +12,22 @@ struct System {
   Vector force;  // at d = 0
   // Sum of the magnitudes of the forces that meet in a block (N): what its residual is compared with.
   std::vector<double> force_scale;
+  // What the rounding of displacements does to them (N): stiff bonds multiply it, and no iteration removes it.
+  std::vector<double> force_rounding;
 
   void clear(const Model& model) {
     matrix.clear();
     force.setZero(model.dofs);
     force_scale.assign(model.shapes.size(), 0.0);
+    force_rounding.assign(model.shapes.size(), 0.0);
   }
   void add_force(const BlockShape& shape, int block, const Eigen::Matrix<double, 6, 1>& f) {
     for (int k = 0; k < shape.dofs; ++k) force[shape.dof_begin + k] += f[k];
     force_scale[block] += f.norm();
+  }
+  // A spring of `stiffness` N/m against displacements (m) of this size.
+  void add_rounding(int block, double stiffness, double displacement) {
+    force_rounding[block] += 8 * std::numeric_limits<double>::epsilon() * stiffness * displacement;
   }
 };
 

@@ -54,7 +54,7 @@ void OpenClose::start(const Model& model, const System& system, const ContactTer
 void OpenClose::judge_residual(const Model& model, const System& system, const ContactTerms& contacts,
                                double place_rounding, OpenCloseResult& result) {
   residual(system, contacts, true, r_);
-  std::vector<double> scale = system.force_scale, rounding(scale.size(), 0.0);
+  std::vector<double> scale = system.force_scale, rounding = system.force_rounding;
   const auto& rows = contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
     const Contact& contact = model.contacts[k];
