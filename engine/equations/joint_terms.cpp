@@ -30,13 +30,11 @@ struct Side {
   Vec2 traction(const Vec3& strain) const {
     return pose.rotation.turn(traction_of(normal) * (initial_stress + elasticity * strain));
   }
-  // Weighted traction under unit unknowns; the rotation column turns the present traction and enters the
-  // force only (angular momentum), for in the stiffness it is of the order of stress against modulus.
-  Matrix26 flux(const Vec3& strain, bool with_rotation) const {
+  // Weighted traction under unit unknowns.
+  Matrix26 flux() const {
     Matrix26 s = Matrix26::Zero();
     const Matrix23 own = (weight / pose.length) * traction_of(normal) * elasticity;
     for (int k = 0; k < 3; ++k) s.col(3 + k) = pose.rotation.turn(own.col(k));
-    if (with_rotation) s.col(2) = weight / pose.length * perp(traction(strain));
     return s;
   }
   Vec3 strain_at(double seconds) const {
@@ -51,6 +49,42 @@ Side side_of(const Model& model, const Poses& poses, int block, const Vec2& norm
 Vec2 between(const std::array<Vec2, 2>& ends, double at) { return (1 - at) * ends[0] + at * ends[1]; }
 
 Vector6 velocity_of(const Pose& pose) { return Eigen::Map<const Vector6>(pose.velocity.data()); }
+
+// The blocks of a bond at both ends of the step, to weigh the jump between them.
+class Jump {
+ public:
+  Jump(const Model& model, const Joint& joint, const Scheme& scheme)
+      : joint_(joint),
+        scheme_(scheme),
+        spin_((spin_of(model, joint.a) + spin_of(model, joint.b)) / 2),
+        start_{flown(model, joint.a, 0), flown(model, joint.b, 0)},
+        end_{flown(model, joint.a, scheme.dt), flown(model, joint.b, scheme.dt)},
+        from_start_(Rotation::of(spin_ * scheme.mid)),
+        from_end_(Rotation::of(spin_ * (scheme.mid - scheme.dt))) {}
+
+  // At d = 0, turned to the configuration of linearisation; see Scheme::bond_end.
+  Vec2 at(double along) const {
+    return (1 - scheme_.bond_end) * from_start_.turn(ahead(start_, along)) +
+           scheme_.bond_end * from_end_.turn(ahead(end_, along));
+  }
+
+ private:
+  static double spin_of(const Model& model, int block) {
+    return model.blocks[block].velocity[2] / model.shapes[block].length;
+  }
+  Vec2 ahead(const std::array<Pose, 2>& poses, double along) const {
+    const Vec2 in_a = between(joint_.in_a, along), in_b = between(joint_.in_b, along);
+    const Vec2 jump = poses[1].displacement(in_b) - poses[0].displacement(in_a);
+    if (scheme_.bond_ahead == 0) return jump;
+    return jump + scheme_.bond_ahead * (poses[1].velocity_at(in_b) - poses[0].velocity_at(in_a) - spin_ * perp(jump));
+  }
+
+  const Joint& joint_;
+  const Scheme& scheme_;
+  double spin_;  // rad/s, of the pair
+  std::array<Pose, 2> start_, end_;
+  Rotation from_start_, from_end_;
+};
 
 // Largest eigenvalue of Σ w² L (N D)ᵀ(N D) against A D: the least k that is provably enough for one block (Pa/m).
 double least_stiffness(const Mat3& flux, const Mat3& elasticity, double area) {
@@ -126,8 +160,7 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
     const bool exact = joint.kind == BondKind::exact;
     const Vec3 strain_a = a.strain_at(scheme.bond_v), strain_b = b.strain_at(scheme.bond_v);
     const Matrix26 zero = Matrix26::Zero();
-    const Matrix26 sa = exact ? a.flux(strain_a, false) : zero, sb = exact ? b.flux(strain_b, false) : zero;
-    const Matrix26 sa_force = exact ? a.flux(strain_a, true) : zero, sb_force = exact ? b.flux(strain_b, true) : zero;
+    const Matrix26 sa = exact ? a.flux() : zero, sb = exact ? b.flux() : zero;
     const Vec2 mean_flux =
         exact ? Vec2(a.weight * a.traction(strain_a) + b.weight * b.traction(strain_b)) : Vec2(0, 0);
     // Joint axes for the springs: the mean of the two blocks' turned normals.
@@ -135,18 +168,19 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
     const auto [kn, ks] = stiffness_[j];
     const Mat2 stiffness = kn * n * n.transpose() + ks * perp(n) * perp(n).transpose();
 
+    const Jump jump(model, joint, scheme);
     Matrix6 kaa = Matrix6::Zero(), kbb = kaa, kab = kaa;
     Vector6 fa = Vector6::Zero(), fb = fa;
     for (const JointPoint& point : joint.points) {
-      const Vec2 at_a = a.pose.place(between(joint.in_a, point.at)), at_b = b.pose.place(between(joint.in_b, point.at));
-      const Matrix26 ta = a.pose.rows(at_a), tb = b.pose.rows(at_b);
-      const Vec2 gap = b.pose.displacement(between(joint.in_b, point.at)) -
-                       a.pose.displacement(between(joint.in_a, point.at)) +
-                       scheme.bond_v * (tb * velocity_of(b.pose) - ta * velocity_of(a.pose));
+      // One point for both: action and reaction on one line keep angular momentum.
+      const Vec2 at =
+          (a.pose.place(between(joint.in_a, point.at)) + b.pose.place(between(joint.in_b, point.at))) / 2;
+      const Matrix26 ta = a.pose.rows(at), tb = b.pose.rows(at);
+      const Vec2 gap = jump.at(point.at);
       const Vec2 traction = mean_flux + stiffness * gap;
       const double w = point.weight;
-      fa += w * (ta.transpose() * traction - sa_force.transpose() * gap);
-      fb -= w * (tb.transpose() * traction + sb_force.transpose() * gap);
+      fa += w * (ta.transpose() * traction - sa.transpose() * gap);
+      fb -= w * (tb.transpose() * traction + sb.transpose() * gap);
       const double wk = w * scheme.bond_d;
       kaa += wk * (ta.transpose() * (stiffness * ta - sa) - sa.transpose() * ta);
       kbb += wk * (tb.transpose() * (stiffness * tb + sb) + sb.transpose() * tb);
@@ -171,7 +205,7 @@ void JointTerms::add_ground(const Model& model, const Poses& poses, const Scheme
     const Fixity& fixity = model.scene.fixities[edge.fixity];
     const Side a = side_of(model, poses, edge.block, edge.normal, 1);
     const Vec3 strain = a.strain_at(scheme.bond_v);
-    const Matrix26 s = a.flux(strain, false);
+    const Matrix26 s = a.flux();
     const Vec2 flux = a.traction(strain);
     const Vec2 moved = fixity_displacement(fixity, time);
     const Mat2 held = Vec2(fixity.held[0], fixity.held[1]).asDiagonal();

@@ -36,6 +36,13 @@ struct Pose {
     return {direction.x(), direction.y(), cross(x, n), x.x() * n.x(), x.y() * n.y(),
             (x.y() * n.x() + x.x() * n.y()) / 2};
   }
+  Vec2 velocity_at(const Vec2& in_block) const {
+    const Vec2 arm = place(in_block) - centroid;
+    const double x = in_block.x(), y = in_block.y();
+    const auto& v = velocity;
+    return Vec2(v[0], v[1]) + v[2] / length * perp(arm) +
+           rotation.turn(Vec2(v[3] * x + v[5] / 2 * y, v[5] / 2 * x + v[4] * y)) / length;
+  }
   Matrix26 rows(const Vec2& at) const {
     const Row x = row(at, Vec2::UnitX()), y = row(at, Vec2::UnitY());
     Matrix26 t;
@@ -53,8 +60,10 @@ inline double dot(const Row& row, const double* values, int count) {
   return sum;
 }
 
-// Poses after moving every block by its own velocity for `scheme.mid` seconds: straight flight of centroids,
-// exact rotation.
+// Where a block gets in `seconds` by its own velocity: straight flight of the centroid, exact rotation.
+Pose flown(const Model& model, int block, double seconds);
+
+// All of them at the configuration of linearisation.
 struct Poses {
   std::vector<Pose> blocks;
   std::vector<Vec2> vertex;

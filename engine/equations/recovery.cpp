@@ -20,6 +20,7 @@ constexpr double least_pivot = 1e-10;
 // Displacements in a patch: a polynomial in x, y (of the patch's radius) with unknowns for u, then for v, then
 // those of the cubic terms. The ten monomials of degree 3 in u and v need not be free: where body force and
 // acceleration hardly vary over the patch, div σ is constant in it, which ties x³ and y³ to the mixed terms.
+// The acceleration that does vary, -ω² x of a body that turns, is known: its part of the displacement is given.
 struct Cubic {
   double x3_by_xy2, x3_by_other, y3_by_x2y, y3_by_other;
   explicit Cubic(const Mat3& stiffness) {
@@ -160,6 +161,10 @@ Vec3 Recovery::stress_at(const Model& model, int block, const Vec2& in_block) co
   if (terms == 0) return model.stress(block);
   const Cubic cubic(elasticity(model.material(block)));
   const Cubic* const with_cubic = count >= 15 ? &cubic : nullptr;
+  const double spin = model.blocks[block].velocity[2] / model.shapes[block].length;
+  const double turning = with_cubic ? model.material(block).density * spin * spin * std::pow(patch.radius, 3) /
+                                          (6 * elasticity(model.material(block))(0, 0))
+                                    : 0;
   const int unknowns = 2 * terms + (with_cubic ? 4 : 0);
   // The fit is made in the block's turned axes, where the equations of elasticity hold.
   const double base = model.blocks[block].angle;
@@ -168,10 +173,12 @@ Vec3 Recovery::stress_at(const Model& model, int block, const Vec2& in_block) co
   Side right = Side::Zero(unknowns), u(unknowns), v(unknowns);
   for (const int corner : patch.corners) {
     const Vec2 place = corner_position_[corner] - at;
+    const Vec2 p = place / patch.radius;
     const Vec2 moved = turned.back(corner_displacement_[corner]) +
-                       Vec2(turned.c1 * place.x() + turned.s * place.y(), -turned.s * place.x() + turned.c1 * place.y());
-    rows_at(place / patch.radius, terms, with_cubic, u, v);
-    const double part = 1 - place.squaredNorm() / (patch.radius * patch.radius), weight = part * part;
+                       Vec2(turned.c1 * place.x() + turned.s * place.y(), -turned.s * place.x() + turned.c1 * place.y()) +
+                       turning * Vec2(p.x() * p.x() * p.x(), p.y() * p.y() * p.y());
+    rows_at(p, terms, with_cubic, u, v);
+    const double part = 1 - p.squaredNorm(), weight = part * part;
     normal.noalias() += weight * (u * u.transpose() + v * v.transpose());
     right += weight * (moved.x() * u + moved.y() * v);
   }

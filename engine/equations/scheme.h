@@ -4,7 +4,7 @@
 //   velocity at the end      v1 = v0 + d · velocity_d
 //   displacement of the step u  = v0 · Δt_x + d · move_d
 // Everything is linearised about the configuration the velocities reach at mid-step (exact rotation), and
-//   bulk and bonds act on the strain  v0 · bond_v  + d · bond_d     beyond it,
+//   bulk and bonds act on the strain  v0 · bond_v  + d · bond_d     beyond it (bonds: see bond_end),
 //   contacts act on the gap           v0 · contact_v + d · contact_d beyond it,
 //   shear springs of contacts stretch by v0 · Δt_x + d · contact_d.
 // Momentum: M d · inertia = forces.  docs/theory.md derives the coefficients and what they conserve.
@@ -19,6 +19,10 @@ struct Scheme {
   double velocity_d = 0; // 1/s
   double step_v = 0, move_d = 0;
   double bond_v = 0, bond_d = 0;
+  // A bond's jump is weighed from its two ends of the step, each in the axes that turn with the blocks, because
+  // straight flight alone stretches whatever turns by (ω Δt)²:
+  // (1 - bond_end) (g0 + bond_ahead ġ0) + bond_end (g1 + bond_ahead ġ1), to first order the line above.
+  double bond_end = 1, bond_ahead = 0;  // -, s
   double contact_v = 0, contact_d = 0;
   double load_time = 0;  // s from the start: when loads are read
   double hold_time = 0;  // s from the start: when prescribed displacements are read
@@ -36,6 +40,8 @@ struct Scheme {
     s.move_d = 0.5;
     s.bond_v = (2 * theta - 1) * dt;
     s.bond_d = theta * theta;
+    s.bond_end = theta;
+    s.bond_ahead = (theta - 0.5) * dt;
     s.contact_v = theta * dt;
     s.contact_d = theta;
     s.load_time = dt / 2;
@@ -48,6 +54,8 @@ struct Scheme {
     Scheme s = theta(dt, 0.5);
     s.bond_v = s.contact_v = dt / 2;
     s.bond_d = s.contact_d = 0.5;
+    s.bond_end = 1;
+    s.bond_ahead = 0;
     s.load_time = dt;
     s.hold_time = dt;
     return s;
