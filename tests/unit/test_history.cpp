@@ -1,5 +1,6 @@
 // history.csv and the schedule of output times, on real runs of small scenes.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -44,7 +45,7 @@ Scene falling(const std::string& dir) {
 }
 
 std::string scratch(const std::string& name) {
-  const fs::path dir = fs::temp_directory_path() / "talus_test_history" / name;
+  const fs::path dir = fs::temp_directory_path() / ("talus_test_history_" + std::to_string(getpid())) / name;
   fs::remove_all(dir);
   return dir.string();
 }

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
@@ -27,7 +28,7 @@ using test::moved_squares;
 using test::two_squares;
 
 std::string scratch(const std::string& name) {
-  const auto dir = std::filesystem::temp_directory_path() / "talus_test_vtk";
+  const auto dir = std::filesystem::temp_directory_path() / ("talus_test_vtk_" + std::to_string(getpid()));
   std::filesystem::create_directories(dir);
   return (dir / name).string();
 }
