@@ -1,6 +1,7 @@
 -- A block falls onto a fixed slab: free flight against ½ g t², then rest.
--- Run: scripts/run examples/01_falling_block.lua      (under 1 s)
+-- Run: scripts/run examples/01_falling_block.lua      (0.1 s CPU)
 -- Teaches: regions, materials, a held region, contacts, probes, checks.
+-- Picture: docs/pictures/01_falling_block.svg (t = 0.4 s: the block falls at 3.92 m/s)
 local talus = require "talus"
 local u = talus.units
 

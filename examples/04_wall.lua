@@ -1,6 +1,7 @@
 -- A running-bond wall of bricks stands under its own weight: mean stress of each course against rho g depth.
--- Run: scripts/run examples/04_wall.lua -p courses=10      (about 1 s)
+-- Run: scripts/run examples/04_wall.lua -p courses=10      (0.3 s CPU)
 -- Teaches: ready blocks, the settled start, reading whole fields.
+-- Picture: docs/pictures/04_wall.svg
 local talus = require "talus"
 local u = talus.units
 
