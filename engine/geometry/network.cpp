@@ -229,6 +229,7 @@ void NetworkMaker::split_at_crossings(const SegmentGrid& grid, std::vector<Split
       continue;
     const double t_e = a_side / (a_side - b_side), t_f = c_side / (c_side - d_side);
     const Vec2 at = a + t_e * along_e;
+    if (distance(f, at) > tolerance_) continue;  // on one line, beside each other: the sides are round-off
     const int crossing = e.trace < 0 ? place_on_boundary(at, e) : place(at);
     splits.push_back({i, t_e, crossing});
     splits.push_back({j, t_f, crossing});
