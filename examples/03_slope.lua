@@ -14,8 +14,8 @@ local sim = talus.simulation {
   regions = {
     talus.region { name = "base", outline = { {-10, -3}, {30, -3}, {30, 0}, {-10, 0} }, material = rock, held = true },
     talus.region { name = "slope", outline = { {0, 0}, {30, 0}, {30, 14}, {12, 14} }, material = rock, joint = joint,
-                   cuts = { talus.joint_set { dip = 32*u.deg, spacing = 2.5, joint = joint },
-                            talus.joint_set { dip = 110*u.deg, spacing = 3.0, joint = joint } } },
+                   cuts = { talus.joint_set { dip = 32*u.deg, spacing = 2.5, through = {0, 0}, joint = joint },
+                            talus.joint_set { dip = 110*u.deg, spacing = 3.0, through = {12, 14}, joint = joint } } },
   },
   fix    = { talus.fix { region = "slope", on = talus.line(30, 0, 30, 14), y = false } },
   time   = { mode = "dynamic", t_end = 1.5 },

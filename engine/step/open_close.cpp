@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "equations/gmres.h"
+
 namespace talus {
 
 namespace {
@@ -14,6 +16,10 @@ constexpr double force_floor = 1e-4;
 
 // The line search is exact when the slope has fallen to this part.
 constexpr double slope_part = 0.05;
+
+// Products with the matrix in one unsymmetric solve; each costs a back-substitution, a tenth of a factor.
+constexpr int most_products = 40;
+constexpr double least_step = 1.0 / 64;
 
 }  // namespace
 
@@ -44,6 +50,8 @@ void OpenClose::residual(const System& system, const ContactTerms& contacts, boo
 void OpenClose::start(const Model& model, const System& system, const ContactTerms& contacts) {
   const size_t count = contacts.rows().size();
   for (auto* list : {&gap_, &slide_, &limit_}) list->resize(count);
+  pace_.assign(count, 1);
+  last_change_.assign(count, 0);
   for (auto* list : {&closed_, &stuck_}) list->resize(count);
   factored_closed_.clear();
   kd_.setZero(system.force.size());
@@ -69,9 +77,10 @@ void OpenClose::judge_residual(const Model& model, const System& system, const C
   for (size_t b = 0; b < model.shapes.size(); ++b) {
     const BlockShape& shape = model.shapes[b];
     if (shape.dofs == 0) continue;
-    const double out = std::max(0.0, r_.segment(shape.dof_begin, shape.dofs).norm() - rounding[b]);
-    const double relative = out == 0 ? 0 : out / std::max(scale[b], floor);
-    if (!(relative <= result.residual)) {
+    const double out = r_.segment(shape.dof_begin, shape.dofs).norm();
+    if (out <= rounding[b]) continue;
+    const double relative = (out - rounding[b]) / std::max(scale[b], floor);
+    if (!(relative <= result.residual)) {  // so written that one that is not a number counts as the worst
       result.residual = relative;
       result.worst_block = int(b);
     }
@@ -134,39 +143,144 @@ OpenCloseResult OpenClose::solve(const Model& model, System& system, const Conta
   d.setZero(system.force.size());
   start(model, system, contacts);
   evaluate(contacts, d);
-  const auto& rows = contacts.rows();
+  continue_states(model);
   const std::vector<double> base = system.matrix.values;
+  const auto& rows = contacts.rows();
   while (result.iterations < max_iterations) {
-    for (size_t k = 0; k < rows.size(); ++k) stuck_[k] = std::abs(rows[k].ks * slide_[k]) < limit_[k];
-    if (result.iterations == 0 || closed_ != factored_closed_ || stuck_ != factored_stuck_) {
-      system.matrix.values = base;
-      contacts.add_stiffness(system.matrix, closed_, stuck_);
-      result.singular_block = solver.factor(system.matrix);
-      if (result.singular_block >= 0) break;
-      factored_closed_ = closed_;
-      factored_stuck_ = stuck_;
-      system.matrix.values = base;
-    }
-    residual(system, contacts, false, r_);
-    solver.solve(r_, p_);
+    if (result.iterations > 0)
+      for (size_t k = 0; k < rows.size(); ++k) stuck_[k] = std::abs(rows[k].ks * slide_[k]) < limit_[k];
+    const bool settled = result.iterations == 1 || (closed_ == factored_closed_ && stuck_ == factored_stuck_);
+    if (!factor(system, contacts, base, solver, result)) break;
     ++result.iterations;
-    kp_.setZero(p_.size());
-    system.matrix.multiply(p_, kp_);
-    const double step = rows.empty() ? 1 : line_search(contacts, p_, -r_.dot(p_), p_.dot(kp_));
-    d += step * p_;
-    kd_ += step * kp_;
-    evaluate(contacts, d);
-    for (size_t k = 0; k < rows.size(); ++k)
-      limit_[k] = friction_limit(rows[k], rows[k].kn * std::max(0.0, -gap_[k]));
-    judge_residual(model, system, contacts, 0, result);
-    if (!std::isfinite(result.residual)) break;
-    if (result.residual <= tolerance) {
-      result.converged = true;
-      break;
-    }
+    if (result.iterations == 1)
+      predict(model, system, contacts, solver, d, result);
+    else if (!settled || !coupled_step(model, system, contacts, solver, tolerance, d, result))
+      convex_step(model, system, contacts, solver, d, result);
+    result.converged = result.residual <= tolerance;
+    if (result.converged || !std::isfinite(result.residual)) break;
   }
   system.matrix.values = base;
   return result;
+}
+
+void OpenClose::continue_states(const Model& model) {
+  for (size_t k = 0; k < closed_.size(); ++k) {
+    const ContactState state = model.contacts[k].state;
+    closed_[k] = state != ContactState::open || gap_[k] <= 0;
+    stuck_[k] = closed_[k] && state != ContactState::slip;  // what closes now sticks at first
+  }
+}
+
+bool OpenClose::factor(System& system, const ContactTerms& contacts, const std::vector<double>& base,
+                       LinearSolver& solver, OpenCloseResult& result) {
+  if (result.iterations > 0 && closed_ == factored_closed_ && stuck_ == factored_stuck_) return true;
+  system.matrix.values = base;
+  contacts.add_stiffness(system.matrix, closed_, stuck_);
+  result.singular_block = solver.factor(system.matrix);
+  system.matrix.values = base;
+  factored_closed_ = closed_;
+  factored_stuck_ = stuck_;
+  return result.singular_block < 0;
+}
+
+void OpenClose::advance(const Model& model, const System& system, const ContactTerms& contacts, double step, Vector& d,
+                        OpenCloseResult& result) {
+  d += step * p_;
+  kd_ += step * kp_;
+  evaluate(contacts, d);
+  const auto& rows = contacts.rows();
+  for (size_t k = 0; k < rows.size(); ++k) limit_[k] = friction_limit(rows[k], rows[k].kn * std::max(0.0, -gap_[k]));
+  judge_residual(model, system, contacts, 0, result);
+}
+
+// The states of the last step go on: what pressed may pull for now and what stuck has no limit. Where few states
+// change in a step, this is nearly the answer; a search from the predicted gaps would close and open half of them.
+void OpenClose::predict(const Model& model, const System& system, const ContactTerms& contacts, LinearSolver& solver,
+                        Vector& d, OpenCloseResult& result) {
+  r_ = system.force;
+  const auto& rows = contacts.rows();
+  for (size_t k = 0; k < rows.size(); ++k) {
+    if (!closed_[k]) continue;
+    rows[k].add(rows[k].normal_i, rows[k].normal_j, -rows[k].kn * gap_[k], r_);
+    const double shear = rows[k].ks * slide_[k];
+    rows[k].add(rows[k].shear_i, rows[k].shear_j, -(stuck_[k] ? shear : std::clamp(shear, -limit_[k], limit_[k])), r_);
+  }
+  solver.solve(r_, p_);
+  kp_.setZero(p_.size());
+  system.matrix.multiply(p_, kp_);
+  advance(model, system, contacts, 1, d, result);
+}
+
+// One Newton step on the convex potential with friction limits frozen, then the limits follow the normal forces. A
+// limit that swings goes half as far each time: at a wedge a higher limit may open the contact that gave it.
+void OpenClose::convex_step(const Model& model, const System& system, const ContactTerms& contacts,
+                              LinearSolver& solver, Vector& d, OpenCloseResult& result) {
+  residual(system, contacts, false, r_);
+  solver.solve(r_, p_);
+  kp_.setZero(p_.size());
+  system.matrix.multiply(p_, kp_);
+  const double step = contacts.rows().empty() ? 1 : line_search(contacts, p_, -r_.dot(p_), p_.dot(kp_));
+  const std::vector<double> frozen = limit_;
+  advance(model, system, contacts, step, d, result);
+  for (size_t k = 0; k < limit_.size(); ++k) {
+    const double change = limit_[k] - frozen[k];
+    if (!std::isfinite(change)) continue;  // without a bound: the settled start
+    if (change * last_change_[k] < 0) pace_[k] *= 0.5;
+    if (change != 0) last_change_[k] = change;
+    limit_[k] = frozen[k] + pace_[k] * change;
+  }
+}
+
+// One Newton step on the coupled law, whose limits follow the normal force: unsymmetric, so by GMRES with the factor
+// of the symmetric part. Kept only if it halves the residual; frozen limits alone would converge linearly.
+bool OpenClose::coupled_step(const Model& model, const System& system, const ContactTerms& contacts,
+                             LinearSolver& solver, double tolerance, Vector& d, OpenCloseResult& result) {
+  const auto& rows = contacts.rows();
+  std::vector<size_t> sticking, slipping;
+  for (size_t k = 0; k < rows.size(); ++k)
+    if (closed_[k]) {
+      const bool sticks = std::abs(rows[k].ks * slide_[k]) < friction_limit(rows[k], -rows[k].kn * gap_[k]);
+      if (sticks) sticking.push_back(k);
+      if (!sticks && rows[k].friction > 0 && std::isfinite(rows[k].friction)) slipping.push_back(k);
+    }
+  if (slipping.empty()) return false;
+  const double f = contacts.factor();
+  const auto apply = [&](const Vector& x, Vector& y) {
+    y.setZero(x.size());
+    system.matrix.multiply(x, y);
+    for (size_t k = 0; k < rows.size(); ++k) {
+      if (closed_[k]) rows[k].add(rows[k].normal_i, rows[k].normal_j,
+                                  f * rows[k].kn * rows[k].along(rows[k].normal_i, rows[k].normal_j, x), y);
+    }
+    for (const size_t k : sticking)
+      rows[k].add(rows[k].shear_i, rows[k].shear_j,
+                  f * rows[k].ks * rows[k].along(rows[k].shear_i, rows[k].shear_j, x), y);
+    for (const size_t k : slipping) {
+      const double softer = f * rows[k].kn * rows[k].along(rows[k].normal_i, rows[k].normal_j, x);
+      rows[k].add(rows[k].shear_i, rows[k].shear_j, (slide_[k] > 0 ? -1 : 1) * rows[k].friction * softer, y);
+    }
+  };
+  residual(system, contacts, true, r_);
+  const double wanted = std::clamp(0.1 * tolerance / result.residual, 1e-10, 1e-2);
+  gmres(apply, [&](const Vector& y, Vector& z) { solver.solve(y, z); }, r_, wanted, most_products, p_);
+  kp_.setZero(p_.size());
+  system.matrix.multiply(p_, kp_);
+  // Along p the residual falls at once, and in every norm, until a state changes: halve until it has fallen.
+  const OpenCloseResult before = result;
+  const std::vector<double> limits = limit_;
+  const Vector d0 = d, kd0 = kd_;
+  for (double step = 1; step >= least_step; step /= 2) {
+    d = d0;
+    kd_ = kd0;
+    advance(model, system, contacts, step, d, result);
+    if (result.residual < (1 - 0.3 * step) * before.residual) return true;
+  }
+  d = d0;
+  kd_ = kd0;
+  evaluate(contacts, d);
+  limit_ = limits;
+  result = before;
+  return false;
 }
 
 void OpenClose::store(Model& model, const ContactTerms& contacts) const {

@@ -32,12 +32,25 @@ class OpenClose {
   void start(const Model& model, const System& system, const ContactTerms& contacts);
   void evaluate(const ContactTerms& contacts, const Vector& d);
   void residual(const System& system, const ContactTerms& contacts, bool coupled, Vector& r) const;
+  void continue_states(const Model& model);
+  bool factor(System& system, const ContactTerms& contacts, const std::vector<double>& base, LinearSolver& solver,
+              OpenCloseResult& result);
+  void predict(const Model& model, const System& system, const ContactTerms& contacts, LinearSolver& solver, Vector& d,
+               OpenCloseResult& result);
+  void convex_step(const Model& model, const System& system, const ContactTerms& contacts, LinearSolver& solver,
+                   Vector& d, OpenCloseResult& result);
+  bool coupled_step(const Model& model, const System& system, const ContactTerms& contacts, LinearSolver& solver,
+                    double tolerance, Vector& d, OpenCloseResult& result);
+  // Takes `step` of p_: places, friction limits and the residual follow.
+  void advance(const Model& model, const System& system, const ContactTerms& contacts, double step, Vector& d,
+               OpenCloseResult& result);
   double friction_limit(const ContactRows& row, double normal) const;
   void judge_residual(const Model& model, const System& system, const ContactTerms& contacts, double place_rounding,
                       OpenCloseResult& result);
   double line_search(const ContactTerms& contacts, const Vector& p, double slope0, double curvature) const;
 
   std::vector<double> gap_, slide_, limit_;  // per contact, at the present d; limit_: frozen friction limit, N
+  std::vector<double> pace_, last_change_;    // of the limits: part of a change that is taken; last change, N
   std::vector<char> closed_, stuck_, factored_closed_, factored_stuck_;
   Vector kd_, r_, p_, kp_;
 };
