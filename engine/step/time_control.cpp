@@ -34,7 +34,7 @@ StepSize::StepSize(const Model& model) {
 double StepSize::next(double time) const {
   const double left = end_ - time;
   // A rest shorter than a part of a step is taken along; one longer than a step is shared between two.
-  if (left <= dt_ * (1 + 1e-9)) return left;
+  if (left <= dt_ * (1 + 1e-6)) return left;
   return automatic_ && left < 2 * dt_ ? left / 2 : dt_;
 }
 

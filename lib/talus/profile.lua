@@ -9,7 +9,7 @@ local profiles = {
   },
   {
     name = "ning2011",
-    doc = "The choices of Ning, Yang, An & Chen (2011): DDA's own integrator, and springs of fixed stiffness at "
+    doc = "The choices of Ning, Yang, An & Ma (2011): DDA's own integrator, and springs of fixed stiffness at "
       .. "contacts and at the ends of bonds, also for a joint that says nothing else. E is that of the region's "
       .. "material, between regions that of the softest one, when the simulation is put together. (Unlike the paper, "
       .. "no step is accepted before its contacts have converged.)",

@@ -1,4 +1,5 @@
--- Rigid-body motion: free fall, a spinning block, the impact of two blocks, a stack at rest.
+-- Rigid-body motion: free fall (g t²/2), a spinning block (centrifugal strain, angular momentum), the impact of two blocks
+-- (momentum), a stack at rest (weight above the middle of each block). Sources: closed forms.
 local talus = require "talus"
 local u = talus.units
 local g = 9.81

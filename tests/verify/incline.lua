@@ -1,4 +1,4 @@
--- A block on an incline, from a settled start: s = g (sin a - cos a tan phi) t²/2 (facts: closed form).
+-- A block on an incline, from a settled start: s = g (sin a - cos a tan phi) t²/2 (Coulomb sliding).
 local talus = require "talus"
 local u = talus.units
 local g = 9.81
