@@ -41,9 +41,9 @@ return {
     fields = {
       { name = "mode", type = "enum", values = { "dynamic", "static" }, default = "dynamic",
         doc = "`static` solves for equilibrium" },
-      { name = "t_end", type = "number", least = 0, unit = "s", default = 0,
-        default_doc = "static: 0; dynamic: required",
-        doc = "end; static: load histories run from 0 to it" },
+      { name = "t_end", type = "number", least = 0, unit = "s", default = 1,
+        default_doc = "static: 1; dynamic: required",
+        doc = "end; static: load histories run from 0 to it, and velocities of a `fix` act so long" },
       { name = "steps", type = "integer", least = 1, most = 1000000, default = 1, doc = "static: load steps" },
       { name = "dt", type = "number", above = 0, unit = "s", default_doc = "automatic", doc = "fixed time step" },
       { name = "dt_min", type = "number", above = 0, unit = "s", default_doc = "1e-6 of the first step",
