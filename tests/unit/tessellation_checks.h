@@ -30,7 +30,9 @@ inline bool has_edge(const std::vector<int>& cell, int p, int q) {
   return false;
 }
 
-inline double edge_length(const Tessellation& t, int p, int q) { return (t.points[p] - t.points[q]).norm(); }
+inline double edge_length(const Tessellation& t, int p, int q) {
+  return (t.points[p] - t.points[q]).norm();
+}
 
 // Simple counter-clockwise cells that fill `area`; each inner edge is an interface, once, a on its left, sorted.
 inline void expect_tessellation(const Tessellation& t, double area) {
@@ -40,7 +42,8 @@ inline void expect_tessellation(const Tessellation& t, double area) {
     const Polyline outline = cell_outline(t, c);
     EXPECT_EQ(defect(outline).value_or("none"), "none") << "cell " << c;
     sides += outline.size();
-    for (std::size_t k = 0; k < outline.size(); ++k) perimeters += (outline[k] - outline[(k + 1) % outline.size()]).norm();
+    for (std::size_t k = 0; k < outline.size(); ++k)
+      perimeters += (outline[k] - outline[(k + 1) % outline.size()]).norm();
   }
   EXPECT_NEAR(total_area(t), area, 1e-12 * area);
   for (const auto& i : t.interfaces) {
@@ -48,7 +51,9 @@ inline void expect_tessellation(const Tessellation& t, double area) {
     EXPECT_TRUE(has_edge(t.cells[i.a], i.p, i.q) && has_edge(t.cells[i.b], i.q, i.p));
     inner += edge_length(t, i.p, i.q);
   }
-  const auto before = [](const auto& i, const auto& j) { return std::tie(i.a, i.b, i.p) < std::tie(j.a, j.b, j.p); };
+  const auto before = [](const auto& i, const auto& j) {
+    return std::tie(i.a, i.b, i.p) < std::tie(j.a, j.b, j.p);
+  };
   EXPECT_TRUE(std::is_sorted(t.interfaces.begin(), t.interfaces.end(), before));
   const auto boundary = boundary_edges(t);
   for (const BoundaryEdge& e : boundary) outer += edge_length(t, e.p, e.q);

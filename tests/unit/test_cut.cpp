@@ -17,7 +17,9 @@ using test::cell_outline;
 using test::expect_tessellation;
 using test::rectangle;
 
-Tessellation cut_square(const std::vector<Polyline>& traces) { return cut({rectangle(0, 0, 1, 1), {}, traces}); }
+Tessellation cut_square(const std::vector<Polyline>& traces) {
+  return cut({rectangle(0, 0, 1, 1), {}, traces});
+}
 
 std::vector<double> areas(const Tessellation& t) {
   std::vector<double> list;
@@ -74,7 +76,8 @@ TEST(Cut, OfOverlappingTracesTheLowestCounts) {
   EXPECT_EQ(length[2], 0);
 }
 
-// Three lines that pass one point but for 1e-12 make six blocks, not six and a speck; 1e-4 apart there is a seventh.
+// Three lines that pass one point but for 1e-12 make six blocks, not six and a speck; 1e-4 apart there is a
+// seventh.
 TEST(Cut, ThreeLinesThroughOnePoint) {
   const auto t = [](double off) {
     return cut_square({{{0, 0}, {1, 1}}, {{0, 1}, {1, 0}}, {{0.5 + off, 0}, {0.5 + off, 1}}});
@@ -135,7 +138,8 @@ TEST(Cut, RandomLinesMakeTheBlocksThatEulerSays) {
       const Chords chords = random_chords(40, seed, centre);
       Polyline outline;
       for (int k = 0; k < 400; ++k)
-        outline.push_back(centre + Vec2(std::cos(k * std::numbers::pi / 200), std::sin(k * std::numbers::pi / 200)));
+        outline.push_back(centre +
+                          Vec2(std::cos(k * std::numbers::pi / 200), std::sin(k * std::numbers::pi / 200)));
       const Tessellation t = cut({outline, {}, chords.lines});
       EXPECT_EQ(t.cells.size(), std::size_t(1 + 40 + chords.crossings)) << seed;
       expect_tessellation(t, signed_area(outline));

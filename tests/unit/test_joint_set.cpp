@@ -54,8 +54,8 @@ double total_length(const std::vector<Polyline>& lines) {
 }
 
 bool on_box(const Vec2& p) {
-  return std::abs(p.x() - low.x()) < 1e-9 || std::abs(p.x() - high.x()) < 1e-9 || std::abs(p.y() - low.y()) < 1e-9 ||
-         std::abs(p.y() - high.y()) < 1e-9;
+  return std::abs(p.x() - low.x()) < 1e-9 || std::abs(p.x() - high.x()) < 1e-9 ||
+         std::abs(p.y() - low.y()) < 1e-9 || std::abs(p.y() - high.y()) < 1e-9;
 }
 
 TEST(JointSet, DipSpacingAndThrough) {
@@ -87,8 +87,9 @@ TEST(JointSet, LevelAndUprightJointsAreExactlySo) {
 
 TEST(JointSet, WithoutAPointOneJointPassesTheCentre) {
   const auto lines = joint_lines(joints(25 * degree, 3), low, high);
-  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
-                          [](const Polyline& l) { return distance_to_segment(l[0], l[1], {10, 5}) < 1e-12; }));
+  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const Polyline& l) {
+    return distance_to_segment(l[0], l[1], {10, 5}) < 1e-12;
+  }));
 }
 
 // Of each line the jointed share is the persistence but for the part of a period that the box cuts off; phases are

@@ -17,7 +17,9 @@ using test::rectangle;
 constexpr int nx = 5, ny = 3;
 constexpr std::size_t rectangles = nx * ny, between_rectangles = (nx - 1) * ny + nx * (ny - 1);
 
-Tessellation make(Pattern kind) { return pattern(rectangle(1, 2, 10, 3), kind, nx, ny); }
+Tessellation make(Pattern kind) {
+  return pattern(rectangle(1, 2, 10, 3), kind, nx, ny);
+}
 
 // How many cells meet at each point.
 std::vector<int> cells_at(const Tessellation& t) {
@@ -36,7 +38,8 @@ std::map<int, int> valences_inside(const Tessellation& t) {
 }
 
 void expect_equal_areas(const Tessellation& t, double area) {
-  for (std::size_t c = 0; c < t.cells.size(); ++c) EXPECT_NEAR(signed_area(cell_outline(t, c)), area, 1e-14 * area * nx);
+  for (std::size_t c = 0; c < t.cells.size(); ++c)
+    EXPECT_NEAR(signed_area(cell_outline(t, c)), area, 1e-14 * area * nx);
 }
 
 TEST(Pattern, CrossHasFourTrianglesARectangle) {

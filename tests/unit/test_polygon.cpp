@@ -61,7 +61,8 @@ TEST(PolygonIntegrals, OfARegularPolygonHaveNoDirection) {
   for (int n : {3, 5, 8, 301}) {
     Polyline points;
     for (int k = 0; k < n; ++k)
-      points.push_back(Vec2(std::cos(0.3 + 2 * std::numbers::pi * k / n), std::sin(0.3 + 2 * std::numbers::pi * k / n)));
+      points.push_back(
+          Vec2(std::cos(0.3 + 2 * std::numbers::pi * k / n), std::sin(0.3 + 2 * std::numbers::pi * k / n)));
     const double area = n / 2.0 * std::sin(2 * std::numbers::pi / n), side = 2 * std::sin(std::numbers::pi / n);
     expect_integrals(points, area, {0, 0}, area / 24 * (6 - side * side), area / 24 * (6 - side * side), 0);
   }
@@ -94,7 +95,9 @@ TEST(PolygonIntegrals, AreaIsNegativeClockwise) {
   EXPECT_EQ(signed_area({}), 0);
 }
 
-std::string reason(const Polyline& polygon) { return defect(polygon).value_or("none"); }
+std::string reason(const Polyline& polygon) {
+  return defect(polygon).value_or("none");
+}
 void expect_reason(const Polyline& polygon, const std::string& part) {
   EXPECT_NE(reason(polygon).find(part), std::string::npos) << reason(polygon);
 }
@@ -179,7 +182,8 @@ TEST(PolygonOverlap, OfConvexAndOtherPolygons) {
   EXPECT_NEAR(overlap_area(l_shape, rectangle(-1, -1, 9, 9)), 3, 1e-12);
   EXPECT_EQ(overlap_area(l_shape, rectangle(1, 1, 1, 1)), 0);  // fills the notch: common edges only
   EXPECT_EQ(overlap_area(l_shape, rectangle(4, 0, 1, 1)), 0);
-  EXPECT_NEAR(overlap_area(star(5), moved(star(5), {0, 0}, 2 * std::numbers::pi / 5)), signed_area(star(5)), 1e-12);
+  EXPECT_NEAR(overlap_area(star(5), moved(star(5), {0, 0}, 2 * std::numbers::pi / 5)), signed_area(star(5)),
+              1e-12);
 }
 
 TEST(ClipToBox, IsTheRangeInside) {

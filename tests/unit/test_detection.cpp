@@ -1,0 +1,256 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "contact/detection.h"
+#include "geometry/polygon.h"
+#include "small_scene.h"
+
+namespace talus {
+namespace {
+
+using test::rectangle;
+using test::region;
+using test::scene_of;
+
+Polyline moved(Polyline points, const Vec2& by) {
+  for (Vec2& p : points) p += by;
+  return points;
+}
+
+// Blocks of one region each, touching or apart, after a search for the next `dt`.
+Model searched(const std::vector<Polyline>& blocks, double dt = 0) {
+  std::vector<Region> regions;
+  for (const Polyline& outline : blocks) regions.push_back(region("r" + std::to_string(regions.size()), outline));
+  Model model = build(scene_of(regions));
+  ContactSearch search;
+  search.update(model, dt);
+  return model;
+}
+
+using Pairs = std::multiset<std::pair<int, int>>;  // (vertex's block, edge's block)
+Pairs pairs_of(const Model& model) {
+  Pairs pairs;
+  for (const Contact& c : model.contacts) pairs.insert({c.i, c.j});
+  return pairs;
+}
+
+const Polyline slab = rectangle(-5, -1, 10, 1);
+const Polyline diamond = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+
+TEST(Contacts, VertexOnEdge) {
+  const Model model = searched({slab, moved(diamond, {0.3, 1.01})});
+  ASSERT_EQ(model.contacts.size(), 1u);
+  const Contact& c = model.contacts[0];
+  EXPECT_EQ(c.kind, ContactKind::angle_edge);
+  EXPECT_EQ(c.i, 1);
+  EXPECT_EQ(c.vertex, 0);
+  EXPECT_EQ(c.j, 0);
+  EXPECT_EQ(c.edge, 2);
+  EXPECT_NEAR(c.gap, 0.01, 1e-14);
+  EXPECT_EQ(c.length, 0);
+  EXPECT_EQ(c.offset, 0);
+  EXPECT_EQ(c.state, ContactState::open);
+  EXPECT_EQ(model.vertex[c.global_vertex], Vec2(0.3, 1.01 - 1));
+}
+
+TEST(Contacts, EdgeOnEdgeAreTwoVerticesOfHalfTheLengthEach) {
+  const Model model = searched({slab, rectangle(1, 0, 2, 1)});
+  ASSERT_EQ(model.contacts.size(), 2u);
+  for (const Contact& c : model.contacts) {
+    EXPECT_EQ(c.kind, ContactKind::edge_edge);
+    EXPECT_EQ(c.i, 1);
+    EXPECT_EQ(c.j, 0);
+    EXPECT_EQ(c.edge, 2);
+    EXPECT_NEAR(c.length, 1, 1e-14);
+    EXPECT_NEAR(c.gap, 0, 1e-15);
+    // α E / h for its length, h the length of the smaller block
+    EXPECT_NEAR(c.normal_stiffness, 100 * 1000 / std::sqrt(2.0) * 1, 1e-6);
+    EXPECT_NEAR(c.shear_stiffness, 0.4 * c.normal_stiffness, 1e-6);
+  }
+  // Overhanging, one end of either edge lies on the other.
+  EXPECT_EQ(pairs_of(searched({slab, rectangle(4, 0, 2, 1)})), (Pairs{{0, 1}, {1, 0}}));
+}
+
+TEST(Contacts, CornerOnCornerIsOne) {
+  const Model model = searched({rectangle(0, 0, 1, 1), rectangle(1.01, 1.01, 1, 1)});
+  ASSERT_EQ(model.contacts.size(), 1u);
+  EXPECT_EQ(model.contacts[0].kind, ContactKind::angle_angle);
+  EXPECT_NEAR(model.contacts[0].gap, 0.01, 1e-14);
+}
+
+TEST(Contacts, FourSquaresAtAPoint) {
+  const Model model =
+      searched({rectangle(0, 0, 1, 1), rectangle(1, 0, 1, 1), rectangle(0, 1, 1, 1), rectangle(1, 1, 1, 1)});
+  std::set<std::pair<int, int>> touching;
+  for (const Contact& c : model.contacts) touching.insert(std::minmax(c.i, c.j));
+  for (const auto& pair : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 3), std::pair(2, 3)})
+    EXPECT_TRUE(touching.contains(pair)) << pair.first << pair.second;
+  double length = 0;
+  for (const Contact& c : model.contacts) length += c.length;
+  EXPECT_NEAR(length, 4, 1e-12);  // the four common edges, none counted twice
+}
+
+TEST(Contacts, NoneBeyondWhatCanClose) {
+  const auto two = [](double gap) { return std::vector<Polyline>{slab, moved(diamond, {0.3, 1 + gap})}; };
+  EXPECT_EQ(searched(two(0.5)).contacts.size(), 0u);
+  // within reach when it flies there: 0.5 m at 10 m/s in 0.06 s
+  Model model = searched(two(0.5));
+  ContactSearch search;
+  model.blocks[1].velocity = {0, -10, 0, 0, 0, 0};
+  search.update(model, 0.06);
+  EXPECT_EQ(pairs_of(model), (Pairs{{1, 0}}));
+}
+
+// A block in the notch of a U touches its floor and walls from within, not the outside of the walls.
+TEST(Contacts, NonConvexBlocks) {
+  const Polyline u = {{0, 0}, {4, 0}, {4, 3}, {3, 3}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
+  const Model model = searched({u, rectangle(1.01, 1.01, 1.98, 1)});
+  std::set<int> edges;
+  for (const Contact& c : model.contacts) {
+    EXPECT_EQ(c.i, 1);  // no convex corner of the U is near
+    EXPECT_EQ(c.kind, ContactKind::edge_edge);
+    EXPECT_NEAR(c.gap, 0.01, 1e-13);
+    edges.insert(c.edge);
+  }
+  EXPECT_EQ(edges, (std::set<int>{3, 4, 5}));
+  EXPECT_EQ(model.contacts.size(), 6u);
+}
+
+TEST(Contacts, BondedNeighboursHaveNone) {
+  Model model = build(scene_of({test::meshed("plate", rectangle(0, 0, 3, 2), 0.5)}));
+  ContactSearch search;
+  search.update(model, 1);
+  EXPECT_TRUE(model.contacts.empty());
+  // A joint fails: its two blocks may touch, and at its ends nothing else does that hangs together round them.
+  Joint& joint = *std::find_if(model.joints.begin(), model.joints.end(), [&](const Joint& j) {
+    return distance_to_boundary(rectangle(0, 0, 3, 2), model.reference_place(j.a, j.in_a[0])) > 0.3 &&
+           distance_to_boundary(rectangle(0, 0, 3, 2), model.reference_place(j.a, j.in_a[1])) > 0.3;
+  });
+  joint.state = JointState::failed;
+  search.update(model, 0);
+  ASSERT_FALSE(model.contacts.empty());
+  for (const Contact& c : model.contacts) EXPECT_EQ(std::minmax(c.i, c.j), std::minmax(joint.a, joint.b));
+  joint.state = JointState::intact;
+  search.update(model, 0);
+  EXPECT_TRUE(model.contacts.empty());
+}
+
+TEST(Contacts, CarryTheirStateOn) {
+  Model model = searched({slab, rectangle(1, 0, 2, 1)});
+  const auto load = [](Contact& c) {
+    c.state = ContactState::stick;
+    c.normal_force = 100;
+    c.shear_force = 30;
+    c.stretch = c.shear_force / c.shear_stiffness;
+    c.slip = 0.2;
+  };
+  for (Contact& c : model.contacts) load(c);
+  ContactSearch search;
+  search.update(model, 0);
+  ASSERT_EQ(model.contacts.size(), 2u);
+  for (const Contact& c : model.contacts) {
+    EXPECT_EQ(c.state, ContactState::stick);
+    EXPECT_EQ(c.slip, 0.2);
+    EXPECT_NEAR(c.stretch * c.shear_stiffness, 30, 1e-12);
+  }
+  EXPECT_TRUE(std::is_sorted(model.contacts.begin(), model.contacts.end(),
+                             [](const Contact& a, const Contact& b) { return a.key() < b.key(); }));
+}
+
+// A corner that slides past a point in the middle of a straight face goes on with the next edge, loaded as it was.
+TEST(Contacts, HandOverToTheNextEdge) {
+  Model model = searched({{{-5, -1}, {5, -1}, {5, 0}, {0.31, 0}, {-5, 0}}, moved(diamond, {0.3, 1})});
+  ASSERT_EQ(model.contacts.size(), 1u);
+  Contact& before = model.contacts[0];
+  const int edge = before.edge;
+  before.state = ContactState::slip;
+  before.shear_force = 30;
+  before.stretch = 30 / before.shear_stiffness;
+  before.slip = 0.2;
+  model.blocks[1].centroid.x() += 0.02;
+  model.place_vertices();
+  ContactSearch search;
+  search.update(model, 0);
+  ASSERT_EQ(model.contacts.size(), 1u);
+  const Contact& after = model.contacts[0];
+  EXPECT_NE(after.edge, edge);
+  EXPECT_EQ(after.state, ContactState::slip);
+  EXPECT_EQ(after.slip, 0.2);
+  EXPECT_NEAR(after.stretch * after.shear_stiffness, 30, 1e-12);
+}
+
+TEST(Contacts, MetAlreadyOverlappingIsNoLoad) {
+  Model model = searched({slab, moved(diamond, {0.3, 2})});
+  ASSERT_TRUE(model.contacts.empty());
+  model.blocks[1].centroid.y() -= 1.02;
+  model.place_vertices();
+  ContactSearch search;
+  search.update(model, 0);
+  ASSERT_EQ(model.contacts.size(), 1u);
+  EXPECT_NEAR(model.contacts[0].gap, -0.02, 1e-14);
+  EXPECT_NEAR(model.contacts[0].offset, 0.02, 1e-14);
+}
+
+// Boxes grown by their motion and by a part of the block, as detection.h tells; all pairs.
+std::vector<std::pair<int, int>> brute_force(const Model& model, double dt) {
+  const int count = int(model.shapes.size());
+  std::vector<Bounds> boxes;
+  for (int b = 0; b < count; ++b) {
+    const BlockShape& s = model.shapes[b];
+    const auto& v = model.blocks[b].velocity;
+    Polyline outline(model.vertex.begin() + s.vertex_begin, model.vertex.begin() + s.vertex_end);
+    const Polyline now = outline;
+    for (const Vec2& p : now) outline.push_back(p + dt * Vec2(v[0], v[1]));
+    Bounds box = bounds(outline);
+    const double margin = search_margin * s.length + std::abs(v[2]) / s.length * s.radius * dt;
+    box.min.array() -= margin;
+    box.max.array() += margin;
+    boxes.push_back(box);
+  }
+  std::vector<std::pair<int, int>> pairs;
+  for (int a = 0; a < count; ++a)
+    for (int b = a + 1; b < count; ++b)
+      if ((boxes[a].min.array() <= boxes[b].max.array()).all() &&
+          (boxes[b].min.array() <= boxes[a].max.array()).all() && model.shapes[a].dofs + model.shapes[b].dofs > 0)
+        pairs.push_back({a, b});
+  return pairs;
+}
+
+// 400 blocks with sizes over four decades, moving and turning, some held.
+TEST(BroadPhase, FindsWhatBruteForceFinds) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    Model model;
+    std::vector<int> all;
+    for (int b = 0; b < 400; ++b) {
+      const double width = std::pow(10, 2 * unit(random) - 1), height = width * std::pow(10, unit(random));
+      test::add_block(model, rectangle(20 * unit(random) - 7, 20 * unit(random), width, height), b % 7 ? 6 : 0, 0);
+      model.blocks[b].angle = 3 * unit(random);
+      model.blocks[b].velocity = {10 * unit(random), 10 * unit(random), width * unit(random), 0, 0, 0};
+      all.push_back(b);
+    }
+    model.place_vertices();
+    for (double dt : {0.0, 0.1}) {
+      const auto expected = brute_force(model, dt);
+      ASSERT_GT(expected.size(), 100u);
+      EXPECT_EQ(broad_phase(model, all, dt), expected) << seed << " " << dt;
+    }
+  }
+}
+
+TEST(BroadPhase, LooksOnlyAtTheBlocksOfTheList) {
+  Model model;
+  for (int b = 0; b < 6; ++b) test::add_block(model, rectangle(b, 0, 1, 1), 6, 0);
+  model.place_vertices();
+  using List = std::vector<std::pair<int, int>>;
+  EXPECT_EQ(broad_phase(model, {0, 1, 3, 4}, 0), (List{{0, 1}, {3, 4}}));
+  EXPECT_EQ(broad_phase(model, {}, 0), List{});
+}
+
+}  // namespace
+}  // namespace talus
