@@ -2,13 +2,12 @@
 
 namespace talus {
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-Matrix6 mass_matrix(const Model& model, int block) {
+DofMatrix mass_matrix(const Model& model, int block) {
   const BlockShape& shape = model.shapes[block];
   const double density = model.material(block).density, scale = density / (shape.length * shape.length);
   const double xx = scale * shape.xx, yy = scale * shape.yy, xy = scale * shape.xy;
-  Matrix6 m = Matrix6::Zero();
+  DofMatrix m = DofMatrix::Zero();
   m(0, 0) = m(1, 1) = density * shape.area;
   m(2, 2) = xx + yy;
   m(3, 3) = xx;
@@ -38,9 +37,9 @@ void add_block_terms(const Model& model, const Poses& poses, const Scheme& schem
     const BlockShape& shape = model.shapes[b];
     if (shape.dofs == 0) continue;
     const Pose& pose = poses.blocks[b];
-    const Matrix6 mass = mass_matrix(model, int(b));
-    Matrix6 k = scheme.inertia * mass;
-    Vector6 f = Vector6::Zero();
+    const DofMatrix mass = mass_matrix(model, int(b));
+    DofMatrix k = scheme.inertia * mass;
+    DofColumn f = DofColumn::Zero();
     f.head<2>() = model.mass(int(b)) * model.scene.gravity + shape.area * own_force[shape.region];
     if (shape.dofs > 3) {
       const Mat3& d = elasticity_of[shape.material];

@@ -4,10 +4,9 @@
 
 namespace talus {
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 // ∫ρ TᵀT dA in the block's own axes (kg/m); constant.
-Matrix6 mass_matrix(const Model& model, int block);
+DofMatrix mass_matrix(const Model& model, int block);
 
 // External force per area on a block, N/m2: gravity and its region's body force at time `t`.
 Vec2 body_force(const Model& model, int region, double density, double t);

@@ -6,8 +6,6 @@ namespace talus {
 
 namespace {
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-
 void add_point_fixities(const Model& model, const Poses& poses, const Scheme& scheme, System& system) {
   const double time = model.time + scheme.hold_time;
   for (const PointFixity& point : model.point_fixities) {
@@ -16,14 +14,14 @@ void add_point_fixities(const Model& model, const Poses& poses, const Scheme& sc
     const Fixity& fixity = model.scene.fixities[point.fixity];
     const Pose& pose = poses.blocks[point.block];
     const Vec2 place = pose.place(point.in_block);
-    const Matrix26 t = pose.rows(place);
-    const Vector6 velocity = Eigen::Map<const Vector6>(pose.velocity.data());
+    const DofRows t = pose.rows(place);
+    const DofColumn velocity = Eigen::Map<const DofColumn>(pose.velocity.data());
     const Mat2 stiffness = point.stiffness * Vec2(fixity.held[0], fixity.held[1]).asDiagonal().toDenseMatrix();
     const Vec2 gap =
         fixity_displacement(fixity, time) - pose.displacement(point.in_block) - scheme.bond_v * t * velocity;
     system.add_force(shape, point.block, t.transpose() * stiffness * gap);
     system.matrix.add(system.matrix.slot(point.block, point.block), false,
-                      Eigen::Matrix<double, 6, 6>(scheme.bond_d * t.transpose() * stiffness * t));
+                      DofMatrix(scheme.bond_d * t.transpose() * stiffness * t));
   }
 }
 

@@ -9,8 +9,10 @@ namespace talus {
 namespace {
 
 using Matrix23 = Eigen::Matrix<double, 2, 3>;
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+// A fixity is held harder than the least that is stable: where one block alone stands on it, a soft hold would not pass
+// its weight into its stress (1D: σ is off by κ/k).
+constexpr double ground_penalty = 1000;
 
 // (σx, σy, τ) -> traction on a face of normal n.
 Matrix23 traction_of(const Vec2& n) {
@@ -31,8 +33,8 @@ struct Side {
     return pose.rotation.turn(traction_of(normal) * (initial_stress + elasticity * strain));
   }
   // Weighted traction under unit unknowns.
-  Matrix26 flux() const {
-    Matrix26 s = Matrix26::Zero();
+  DofRows flux() const {
+    DofRows s = DofRows::Zero();
     const Matrix23 own = (weight / pose.length) * traction_of(normal) * elasticity;
     for (int k = 0; k < 3; ++k) s.col(3 + k) = pose.rotation.turn(own.col(k));
     return s;
@@ -48,7 +50,7 @@ Side side_of(const Model& model, const Poses& poses, int block, const Vec2& norm
 
 Vec2 between(const std::array<Vec2, 2>& ends, double at) { return (1 - at) * ends[0] + at * ends[1]; }
 
-Vector6 velocity_of(const Pose& pose) { return Eigen::Map<const Vector6>(pose.velocity.data()); }
+DofColumn velocity_of(const Pose& pose) { return Eigen::Map<const DofColumn>(pose.velocity.data()); }
 
 // The blocks of a bond at both ends of the step, to weigh the jump between them.
 class Jump {
@@ -141,7 +143,7 @@ void JointTerms::prepare(const Model& model) {
     const EdgeFixity& edge = model.edge_fixities[e];
     const int property = model.scene.regions[model.shapes[edge.block].region].joint;
     const double penalty = property >= 0 ? model.scene.properties[property].penalty : JointProperty{}.penalty;
-    ground_stiffness_[e] = 2 * penalty * least[edge.block];
+    ground_stiffness_[e] = std::max(ground_penalty, 2 * penalty) * least[edge.block];
   }
 }
 
@@ -159,8 +161,8 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
     const Side b = side_of(model, poses, joint.b, joint.normal, joint.weight_b);
     const bool exact = joint.kind == BondKind::exact;
     const Vec3 strain_a = a.strain_at(scheme.bond_v), strain_b = b.strain_at(scheme.bond_v);
-    const Matrix26 zero = Matrix26::Zero();
-    const Matrix26 sa = exact ? a.flux() : zero, sb = exact ? b.flux() : zero;
+    const DofRows zero = DofRows::Zero();
+    const DofRows sa = exact ? a.flux() : zero, sb = exact ? b.flux() : zero;
     const Vec2 mean_flux =
         exact ? Vec2(a.weight * a.traction(strain_a) + b.weight * b.traction(strain_b)) : Vec2(0, 0);
     // Joint axes for the springs: the mean of the two blocks' turned normals.
@@ -169,13 +171,13 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
     const Mat2 stiffness = kn * n * n.transpose() + ks * perp(n) * perp(n).transpose();
 
     const Jump jump(model, joint, scheme);
-    Matrix6 kaa = Matrix6::Zero(), kbb = kaa, kab = kaa;
-    Vector6 fa = Vector6::Zero(), fb = fa;
+    DofMatrix kaa = DofMatrix::Zero(), kbb = kaa, kab = kaa;
+    DofColumn fa = DofColumn::Zero(), fb = fa;
     for (const JointPoint& point : joint.points) {
       // One point for both: action and reaction on one line keep angular momentum.
       const Vec2 at =
           (a.pose.place(between(joint.in_a, point.at)) + b.pose.place(between(joint.in_b, point.at))) / 2;
-      const Matrix26 ta = a.pose.rows(at), tb = b.pose.rows(at);
+      const DofRows ta = a.pose.rows(at), tb = b.pose.rows(at);
       const Vec2 gap = jump.at(point.at);
       const Vec2 traction = mean_flux + stiffness * gap;
       const double w = point.weight;
@@ -205,15 +207,15 @@ void JointTerms::add_ground(const Model& model, const Poses& poses, const Scheme
     const Fixity& fixity = model.scene.fixities[edge.fixity];
     const Side a = side_of(model, poses, edge.block, edge.normal, 1);
     const Vec3 strain = a.strain_at(scheme.bond_v);
-    const Matrix26 s = a.flux();
+    const DofRows s = a.flux();
     const Vec2 flux = a.traction(strain);
     const Vec2 moved = fixity_displacement(fixity, time);
     const Mat2 held = Vec2(fixity.held[0], fixity.held[1]).asDiagonal();
-    Matrix6 k = Matrix6::Zero();
-    Vector6 f = Vector6::Zero();
+    DofMatrix k = DofMatrix::Zero();
+    DofColumn f = DofColumn::Zero();
     for (double at : {0.5 - std::sqrt(3.0) / 6, 0.5 + std::sqrt(3.0) / 6}) {
       const Vec2 in_block = between(edge.in_block, at), place = a.pose.place(in_block);
-      const Matrix26 t = a.pose.rows(place);
+      const DofRows t = a.pose.rows(place);
       const Vec2 gap = held * (moved - a.pose.displacement(in_block) - scheme.bond_v * t * velocity_of(a.pose));
       const double w = edge.length / 2;
       f += w * (t.transpose() * (held * flux + ground_stiffness_[e] * gap) - s.transpose() * gap);

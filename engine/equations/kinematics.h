@@ -9,7 +9,6 @@
 namespace talus {
 
 using Row = std::array<double, max_dofs>;
-using Matrix26 = Eigen::Matrix<double, 2, 6>;
 
 struct Pose {
   Vec2 shift, centroid;
@@ -43,10 +42,10 @@ struct Pose {
     return Vec2(v[0], v[1]) + v[2] / length * perp(arm) +
            rotation.turn(Vec2(v[3] * x + v[5] / 2 * y, v[5] / 2 * x + v[4] * y)) / length;
   }
-  Matrix26 rows(const Vec2& at) const {
+  DofRows rows(const Vec2& at) const {
     const Row x = row(at, Vec2::UnitX()), y = row(at, Vec2::UnitY());
-    Matrix26 t;
-    for (int k = 0; k < 6; ++k) {
+    DofRows t;
+    for (int k = 0; k < max_dofs; ++k) {
       t(0, k) = x[k];
       t(1, k) = y[k];
     }

@@ -104,6 +104,7 @@ LinearSolver::LinearSolver() : cholmod_(std::make_unique<Cholmod>()) {}
 LinearSolver::~LinearSolver() = default;
 
 void LinearSolver::analyse(const BlockMatrix& matrix) {
+  if (matrix.dimension() == 0) return;  // all blocks are held: CHOLMOD refuses an empty matrix
   OneThread one;
   cholmod_common* common = &cholmod_->common;
   cholmod_free_factor(&cholmod_->factor, common);
@@ -118,6 +119,7 @@ void LinearSolver::analyse(const BlockMatrix& matrix) {
 }
 
 int LinearSolver::factor(const BlockMatrix& matrix) {
+  if (matrix.dimension() == 0) return -1;
   OneThread one;
   ++factorisations;
   cholmod_sparse a = Cholmod::view(matrix);
@@ -130,6 +132,7 @@ int LinearSolver::factor(const BlockMatrix& matrix) {
 }
 
 void LinearSolver::solve(const Vector& b, Vector& x) {
+  if (b.size() == 0) return;
   OneThread one;
   if (!cholmod_->good) throw std::logic_error("solve without a factor");
   cholmod_dense rhs;

@@ -21,7 +21,7 @@ struct System {
     force_scale.assign(model.shapes.size(), 0.0);
     force_rounding.assign(model.shapes.size(), 0.0);
   }
-  void add_force(const BlockShape& shape, int block, const Eigen::Matrix<double, 6, 1>& f) {
+  void add_force(const BlockShape& shape, int block, const DofColumn& f) {
     for (int k = 0; k < shape.dofs; ++k) force[shape.dof_begin + k] += f[k];
     force_scale[block] += f.norm();
   }

@@ -20,7 +20,9 @@ using Mat3 = Eigen::Matrix3d;
 constexpr int max_dofs = 6;
 // Unknowns of a block, all in metres: translation of the centroid (x, y; global axes), then l·rotation, and
 // for first-order blocks l·(εx, εy, γxy) in the block's own turning axes. l is the block's length √area.
-using DofVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_dofs, 1>;
+using DofColumn = Eigen::Matrix<double, max_dofs, 1>;
+using DofMatrix = Eigen::Matrix<double, max_dofs, max_dofs>;
+using DofRows = Eigen::Matrix<double, 2, max_dofs>;  // displacement under unit unknowns
 
 struct Rotation {
   double c = 1, s = 0;

@@ -46,7 +46,7 @@ void check_picture_field(const Scene& scene, const std::string& name) {
   for (const Field& each : block_fields())
     if (drawable(each)) known.push_back(each.name);
   for (const auto& [each, function] : scene.output.fields) known.push_back(each);
-  throw InputError(scene.output.place, "output.picture_field",
+  throw InputError(scene.output.place, "output.picture",
                    "a field of the blocks that is one number or a vector",
                    "\"" + name + "\"" + suggestion(name, known));
 }

@@ -16,26 +16,47 @@ struct Cuts {
   TessellationInput input;
   std::vector<int> property;  // per trace
   std::vector<bool> bonded;
+  std::vector<int> set;  // per trace: index into Region::joint_sets, or -1 - index into Region::traces
 };
 
 Cuts cuts_of(const Region& region) {
   Cuts cuts;
   cuts.input.outline = region.outlines[0];
   for (const Hole& hole : region.holes) cuts.input.holes.push_back(hole.outline);
-  const auto add = [&](const Polyline& line, int property, bool bonded) {
+  const auto add = [&](const Polyline& line, int property, bool bonded, int set) {
     cuts.input.traces.push_back(line);
+    cuts.set.push_back(set);
     cuts.property.push_back(property);
     cuts.bonded.push_back(bonded);
   };
-  for (const Trace& trace : region.traces) add(trace.points, trace.property, trace.bonded);
+  for (size_t k = 0; k < region.traces.size(); ++k)
+    add(region.traces[k].points, region.traces[k].property, region.traces[k].bonded, -1 - int(k));
   Vec2 low = region.outlines[0][0], high = low;
   for (const Vec2& p : region.outlines[0]) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  for (const JointSet& set : region.joint_sets)
-    for (const Polyline& line : joint_lines(set, low, high)) add(line, set.property, set.bonded);
+  for (size_t k = 0; k < region.joint_sets.size(); ++k) {
+    const JointSet& set = region.joint_sets[k];
+    for (const Polyline& line : joint_lines(set, low, high)) add(line, set.property, set.bonded, int(k));
+  }
   return cuts;
+}
+
+// A trace or a set none of which became an interface was surely meant to do something.
+void check_cuts(const Region& region, const Cuts& cuts, const Tessellation& t) {
+  std::vector<char> traces(region.traces.size(), false), sets(region.joint_sets.size(), false);
+  for (const Tessellation::Interface& face : t.interfaces) {
+    if (face.trace < 0) continue;
+    const int set = cuts.set[face.trace];
+    (set >= 0 ? sets[set] : traces[-1 - set]) = true;
+  }
+  const char* given = "one that cuts nothing off: it lies outside, or ends inside a block (a mesh keeps such ends)";
+  for (size_t k = 0; k < traces.size(); ++k)
+    if (!traces[k]) throw InputError(region.traces[k].place, "trace", "a joint that bounds blocks of its region", given);
+  for (size_t k = 0; k < sets.size(); ++k)
+    if (!sets[k])
+      throw InputError(region.joint_sets[k].place, "joint_set", "joints that bound blocks of their region", given);
 }
 
 // Rectangles of a pattern from the wanted size: as square as the sides allow.
@@ -186,6 +207,7 @@ void add_region(Model& model, int region_id, std::vector<FreeEdge>& edges) {
     const Cuts cuts = cuts_of(region);
     const Tessellation t = tessellate(region, cuts, left);
     if (long(t.cells.size()) > left) throw std::length_error(std::to_string(t.cells.size()) + " blocks");
+    check_cuts(region, cuts, t);
     add_tessellation(model, region_id, t, cuts, edges);
   } catch (const std::length_error& error) {
     const Place& place = region.mesh.place.file.empty() ? region.place : region.mesh.place;

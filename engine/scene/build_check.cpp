@@ -1,5 +1,6 @@
 // What can be wrong with regions, said before any block is made.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 
@@ -31,9 +32,15 @@ std::string number(double value) {
 
 std::string pair_text(const Vec2& p) { return "(" + number(p.x()) + ", " + number(p.y()) + ")"; }
 
+// A scene may list corners either way round. Those that run clockwise are turned, the first one staying the first;
+// where an outline has another defect it is told of the corners as they were given.
 void check_outline(Polyline& outline, const Place& place, const std::string& field) {
-  if (const auto reason = defect(outline)) throw InputError(place, field, "a simple polygon", *reason);
-  if (signed_area(outline) < 0) std::reverse(outline.begin(), outline.end());
+  const auto reason = defect(outline);
+  if (!reason) return;
+  Polyline turned = outline;
+  if (!turned.empty()) std::reverse(turned.begin() + 1, turned.end());
+  if (defect(turned)) throw InputError(place, field, "a simple polygon", *reason);
+  outline = std::move(turned);
 }
 
 void check_holes(Region& region) {
@@ -86,6 +93,139 @@ void check_overlaps(const Scene& scene) {
   }
 }
 
+// --- How many blocks a scene asks for. What follows refuses only what is certainly too much; the mesher and build
+// count exactly.
+
+std::string count_text(double count) {
+  char text[32];
+  std::snprintf(text, sizeof text, count < 1e9 ? "%.0f" : "%.2g", count);
+  return text;
+}
+
+std::string limit_text(long most) { return "at most " + std::to_string(most) + " blocks (max_blocks)"; }
+
+// Two digits, away from zero, after a twentieth for the estimate's sake.
+std::string enough(double value) {
+  value *= 1.05;
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return number(std::ceil(value / unit) * unit);
+}
+
+double area_of(const Region& region) {
+  double area = signed_area(region.outlines[0]);
+  for (const Hole& hole : region.holes) area -= signed_area(hole.outline);
+  return area;
+}
+
+double lines_of(const JointSet& set, const Polyline& outline) {
+  const Vec2 normal(-std::sin(set.dip), std::cos(set.dip));
+  double low = normal.dot(outline[0]), high = low;
+  for (const Vec2& p : outline) {
+    low = std::min(low, normal.dot(p));
+    high = std::max(high, normal.dot(p));
+  }
+  return (high - low) / set.spacing;
+}
+
+// Blocks that joint sets make: by Euler's formula one for each crossing, and one for each line from boundary to
+// boundary; a part that ends in the rock takes one away. Scatter changes nothing in the mean.
+double blocks_of(const Region& region, const std::vector<JointSet>& sets) {
+  const double area = area_of(region);
+  double blocks = 1;
+  for (size_t k = 0; k < sets.size(); ++k) {
+    const JointSet& set = sets[k];
+    if (set.persistence >= 1)
+      blocks += lines_of(set, region.outlines[0]);
+    else
+      blocks -= area / set.spacing * set.persistence / (set.trace_length > 0 ? set.trace_length : 5 * set.spacing);
+    for (size_t other = 0; other < k; ++other)
+      blocks += area * std::abs(std::sin(set.dip - sets[other].dip)) / (set.spacing * sets[other].spacing) *
+                std::min(1.0, set.persistence) * std::min(1.0, sets[other].persistence);
+  }
+  return blocks;
+}
+
+// All sets would have to be this much wider apart.
+double widening(const Region& region, double most) {
+  double low = 1, high = 2;
+  const auto blocks = [&region](double factor) {
+    std::vector<JointSet> sets = region.joint_sets;
+    for (JointSet& set : sets) set.spacing *= factor;
+    return blocks_of(region, sets);
+  };
+  while (blocks(high) > most && high < 1e12) high *= 2;
+  for (int k = 0; k < 40; ++k) (blocks((low + high) / 2) > most ? low : high) = (low + high) / 2;
+  return high;
+}
+
+void check_joint_sets(const Region& region, long most) {
+  if (region.joint_sets.empty()) return;
+  const double blocks = blocks_of(region, region.joint_sets);
+  if (!(blocks > 1.1 * static_cast<double>(most))) return;
+  const auto finest = std::min_element(region.joint_sets.begin(), region.joint_sets.end(),
+                                       [](const JointSet& a, const JointSet& b) { return a.spacing < b.spacing; });
+  const double factor = widening(region, static_cast<double>(most));
+  const bool alone = region.joint_sets.size() == 1;
+  throw InputError(finest->place.file.empty() ? region.place : finest->place,
+                   "joint_set.spacing in region \"" + region.name + "\"",
+                   limit_text(most) + ", so a spacing of " + enough(factor * finest->spacing) + " m or more" +
+                       (alone ? "" : " here and as many times more in the other sets"),
+                   "about " + count_text(blocks) + " from " + number(finest->spacing) + " m");
+}
+
+// 1 / size² over the region, in m²/m²: from below. Each of the samples takes the largest size of its neighbourhood,
+// so that one fine spot between coarse ones does not count for all of its cell.
+double squares_of(const Region& region) {
+  const Mesh& mesh = region.mesh;
+  if (!mesh.size_at) return area_of(region) / (mesh.size * mesh.size);
+  constexpr int samples = 48;
+  const Box box = box_of(region.outlines[0]);
+  const Vec2 step = (box.high - box.low) / samples;
+  std::vector<double> size(samples * samples, 0);
+  for (int i = 0; i < samples; ++i)
+    for (int j = 0; j < samples; ++j) {
+      const Vec2 p = box.low + Vec2((i + 0.5) * step.x(), (j + 0.5) * step.y());
+      const auto in_hole = [&p](const Hole& hole) { return contains(hole.outline, p); };
+      if (!contains(region.outlines[0], p) || std::any_of(region.holes.begin(), region.holes.end(), in_hole)) continue;
+      size[i * samples + j] = mesh.size_at(p);
+    }
+  double sum = 0;
+  for (int i = 0; i < samples; ++i)
+    for (int j = 0; j < samples; ++j) {
+      if (size[i * samples + j] <= 0) continue;
+      double largest = 0;
+      for (int m = std::max(0, i - 1); m <= std::min(samples - 1, i + 1); ++m)
+        for (int n = std::max(0, j - 1); n <= std::min(samples - 1, j + 1); ++n)
+          largest = std::max(largest, size[m * samples + n]);
+      sum += step.prod() / (largest * largest);
+    }
+  return sum;
+}
+
+void check_mesh(const Region& region, long most) {
+  const Mesh& mesh = region.mesh;
+  if (mesh.kind == MeshKind::none) return;
+  const double limit = static_cast<double>(most);
+  const Place& place = mesh.place.file.empty() ? region.place : mesh.place;
+  const std::string field = "mesh of region \"" + region.name + "\"";
+  const bool triangles = mesh.kind == MeshKind::triangles;
+  const double each = triangles ? 2.25 : mesh.kind == MeshKind::cross ? 4 : 2;  // per square of the size, at least
+  if (mesh.nx > 0 && mesh.ny > 0) {
+    const double blocks = each * mesh.nx * mesh.ny;
+    if (blocks <= limit) return;
+    throw InputError(place, field, limit_text(most) + ", so nx*ny of " + count_text(std::floor(limit / each)) + " or less",
+                     count_text(blocks) + " from nx = " + std::to_string(mesh.nx) + ", ny = " + std::to_string(mesh.ny));
+  }
+  const double blocks = each * squares_of(region);
+  if (!(blocks > limit)) return;
+  const double factor = std::sqrt((triangles ? 2.45 / 2.25 : 1) * blocks / limit);
+  if (mesh.size_at)
+    throw InputError(place, field, limit_text(most) + ", so sizes " + enough(factor) + " times as large",
+                     "about " + count_text(blocks));
+  throw InputError(place, field, limit_text(most) + ", so a size of " + enough(factor * mesh.size) + " m or more",
+                   "about " + count_text(blocks) + " from " + number(mesh.size) + " m");
+}
+
 }  // namespace
 
 void check_regions(Scene& scene) {
@@ -95,6 +235,8 @@ void check_regions(Scene& scene) {
     for (size_t i = 0; i < region.outlines.size(); ++i)
       check_outline(region.outlines[i], region.place, region.outlines.size() == 1 ? field : field + ", block " + std::to_string(i + 1));
     check_holes(region);
+    check_joint_sets(region, scene.max_blocks);
+    check_mesh(region, scene.max_blocks);
   }
   check_overlaps(scene);
 }

@@ -111,7 +111,7 @@ std::function<double(double)> history_law(const LuaFunction& law, const Place& p
     constexpr const char* names[] = {"t"};
     const double arguments[] = {t};
     const LawResult result = call_law(law, names, arguments);
-    if (!result.problem.empty()) throw RunError(place.text() + ": " + label + ": " + result.problem);
+    if (!result.problem.empty()) throw LawError(place.text() + ": " + label + ": " + result.problem);
     return result.value;
   };
 }

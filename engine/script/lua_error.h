@@ -23,6 +23,12 @@ class ScriptError : public std::runtime_error {
   ErrorKind kind;
 };
 
+// A run that a function of the script has stopped: its message names the line already.
+class LawError : public RunError {
+ public:
+  using RunError::RunError;
+};
+
 // Registers the metatable of error objects; `library` is the folder whose frames are not the user's.
 void open_errors(lua_State* L, const std::string& library);
 

@@ -37,9 +37,9 @@ double call_field(const std::weak_ptr<Run>& run, const std::string& name, const 
     result = pop_number(L);
   } catch (const ScriptError& error) {
     if (error.kind == ErrorKind::interrupt) throw;
-    throw RunError(label + " the function failed: " + error.what());
+    throw LawError(label + " the function failed: " + error.what());
   }
-  if (!result.problem.empty()) throw RunError(label + ": " + result.problem);
+  if (!result.problem.empty()) throw LawError(label + ": " + result.problem);
   return result.value;
 }
 
@@ -95,7 +95,7 @@ void Run::call_handler(const LuaFunction& handler) {
     protected_call(L, 1, 0);
   } catch (const ScriptError& error) {
     if (error.kind != ErrorKind::input) throw;
-    throw RunError(error.what());
+    throw LawError(error.what());
   }
 }
 
@@ -105,9 +105,17 @@ std::optional<StepReport> Run::step() {
   try {
     const PhaseScope stepping(phase_, Phase::stepping);
     const InterruptsHeld hold;
+    if (!began_) simulation.begin();
     if (!began_ && output_) output_->after_step(simulation);  // the start
     began_ = true;
     simulation.step();
+  } catch (const LawError& error) {
+    failure_ = error.what();
+    throw;
+  } catch (const RunError& error) {
+    const Place& place = simulation.model.scene.time.place;  // the line of talus.simulation
+    failure_ = (place.file.empty() ? "" : place.text() + ": ") + error.what();
+    throw RunError(failure_);
   } catch (const std::exception& error) {
     failure_ = error.what();
     throw;

@@ -29,8 +29,8 @@ Simulation::~Simulation() = default;
 
 StepReport Simulation::step() {
   const TimeControl& time = model.scene.time;
+  begin();
   if (plan.dynamic) {
-    if (totals.steps == 0 && time.settled_start) settle();
     last = stepper_->dynamic_step();
   } else {
     model.time = time.t_end * double(totals.steps + 1) / time.steps;
@@ -44,6 +44,11 @@ StepReport Simulation::step() {
                                            [](const Contact& c) { return c.state != ContactState::open; }));
   for (const auto& handler : on_step) handler(*this);
   return last;
+}
+
+void Simulation::begin() {
+  if (!begun_ && plan.dynamic && model.scene.time.settled_start) settle();
+  begun_ = true;
 }
 
 void Simulation::settle() {
@@ -62,7 +67,7 @@ bool Simulation::finished() const {
 double Simulation::kinetic_energy() const {
   double sum = 0;
   for (size_t b = 0; b < model.blocks.size(); ++b) {
-    const auto v = Eigen::Map<const Eigen::Matrix<double, 6, 1>>(model.blocks[b].velocity.data());
+    const auto v = Eigen::Map<const DofColumn>(model.blocks[b].velocity.data());
     sum += v.dot(mass_matrix(model, int(b)) * v) / 2;
   }
   return sum;

@@ -40,6 +40,8 @@ class Simulation {
   explicit Simulation(Scene scene);  // builds the model; throws InputError
   ~Simulation();
 
+  // Brings the scene to where the first step starts (a settled start); step() does so where it was not done.
+  void begin();
   // One accepted step. Throws RunError when none can be accepted at dt_min.
   StepReport step();
   bool finished() const;   // t_end, the static load steps, or max_steps reached, or stop() called
@@ -63,7 +65,7 @@ class Simulation {
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<Recovery> recovery_;
   long recovered_step_ = -1;
-  bool stopped_ = false;
+  bool begun_ = false, stopped_ = false;
 };
 
 }  // namespace talus

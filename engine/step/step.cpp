@@ -30,7 +30,7 @@ std::string block_name(const Model& model, int block) {
 }  // namespace
 
 Stepper::Stepper(Model& model, const Plan& plan, RunTotals& totals)
-    : model_(model), plan_(plan), totals_(totals), step_size_(model) {}
+    : model_(model), plan_(plan), totals_(totals), step_size_(model, plan.contacts) {}
 
 StepReport Stepper::dynamic_step() {
   const Numerics& numerics = model_.scene.numerics;
@@ -83,12 +83,19 @@ StepReport Stepper::dynamic_step() {
 StepReport Stepper::equilibrium(bool stick) {
   Equilibrium search;
   if (find_equilibrium(stick, equilibrium_iterations, search)) return search.report;
-  if (!search.last.converged) give_up(search.last, 0);
-  not_in_equilibrium(search.last, search.d);
+  if (search.last.singular_block >= 0) give_up(search.last, 0);
+  throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: " +
+                 block_name(model_, culprit(search)) +
+                 " keeps moving. Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic");
 }
 
 void Stepper::settle() {
-  equilibrium(true);
+  Equilibrium stuck;
+  if (!find_equilibrium(true, equilibrium_iterations, stuck)) {
+    if (stuck.last.singular_block >= 0) give_up(stuck.last, 0);
+    throw RunError("no settled start: even with joints that do not slide, " + block_name(model_, culprit(stuck)) +
+                   " topples or falls. Hold it, or use start = \"rest\"");
+  }
   if (!plan_.contacts) return;
   // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
   // starts from there, or the first steps would shake it.
@@ -179,8 +186,9 @@ OpenCloseResult Stepper::solve(Vector& d) {
   PartTimer timer(totals_, "open-close and solve");
   const Numerics& numerics = model_.scene.numerics;
   const long before = solver_.factorisations;
-  const OpenCloseResult result = open_close_.solve(model_, system_, contacts_, solver_, numerics.contact_tolerance,
-                                                   numerics.max_iterations, d);
+  OpenCloseResult result = open_close_.solve(model_, system_, contacts_, solver_, numerics.contact_tolerance,
+                                             numerics.max_iterations, d);
+  if (!d.allFinite()) result.converged = false;
   totals_.iterations += result.iterations;
   totals_.factorisations += solver_.factorisations - before;
   totals_.largest_iterations = std::max(totals_.largest_iterations, result.iterations);
@@ -214,20 +222,20 @@ void Stepper::give_up(const OpenCloseResult& result, double dt) const {
   throw RunError(message);
 }
 
-void Stepper::not_in_equilibrium(const OpenCloseResult& result, const Vector& d) const {
-  int fastest = std::max(result.worst_block, 0);
+int Stepper::culprit(const Equilibrium& search) const {
+  if (!search.last.converged) return std::max(search.last.worst_block, 0);
+  int fastest = 0;
   double most = -1;
   for (size_t b = 0; b < model_.shapes.size(); ++b) {
     const BlockShape& shape = model_.shapes[b];
     if (shape.dofs == 0) continue;
-    const double moved = d.segment(shape.dof_begin, shape.dofs).norm();
+    const double moved = search.d.segment(shape.dof_begin, shape.dofs).norm();
     if (moved > most) {
       most = moved;
       fastest = int(b);
     }
   }
-  throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: " + block_name(model_, fastest) +
-                 " keeps moving. Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic");
+  return fastest;
 }
 
 }  // namespace talus

@@ -35,7 +35,7 @@ class Stepper {
   void assemble(const Scheme& scheme, bool stick);
   void accept(std::vector<BlockState> moved);
   [[noreturn]] void give_up(const OpenCloseResult& result, double dt) const;
-  [[noreturn]] void not_in_equilibrium(const OpenCloseResult& result, const Vector& d) const;
+  int culprit(const Equilibrium& search) const;  // the block that is named when there is no equilibrium
 
   Model& model_;
   const Plan& plan_;

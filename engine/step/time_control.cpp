@@ -19,11 +19,28 @@ double first_step(const Model& model, double limit) {
   return std::min(speed > 0 ? limit / speed : infinity, g > 0 ? std::sqrt(2 * limit / g) : infinity);
 }
 
+// Twice area / perimeter: the inradius of a triangle, near half the thickness of a slab.
+double thinnest_block(const Model& model) {
+  double least = std::numeric_limits<double>::infinity();
+  for (size_t b = 0; b < model.shapes.size(); ++b) {
+    const BlockShape& shape = model.shapes[b];
+    double perimeter = 0;
+    for (int k = 0; k < model.vertex_count(int(b)); ++k)
+      perimeter += (model.reference_vertex[shape.vertex_begin + model.next_vertex(int(b), k)] -
+                    model.reference_vertex[shape.vertex_begin + k])
+                       .norm();
+    least = std::min(least, 2 * shape.area / perimeter);
+  }
+  return least;
+}
+
 }  // namespace
 
-StepSize::StepSize(const Model& model) {
+StepSize::StepSize(const Model& model, bool contacts) {
   const TimeControl& time = model.scene.time;
   limit_ = time.displacement_ratio * model.extent;
+  thinnest_ = contacts ? thinnest_block(model) : std::numeric_limits<double>::infinity();
+  every_ = model.scene.output.every;
   automatic_ = time.dt == 0;
   end_ = time.t_end;
   most_ = time.dt_max > 0 ? time.dt_max : automatic_ ? end_ / 10 : time.dt;
@@ -32,21 +49,25 @@ StepSize::StepSize(const Model& model) {
 }
 
 double StepSize::next(double time) const {
-  const double left = end_ - time;
+  double target = end_;
+  if (automatic_ && every_ > 0) target = std::min(end_, every_ * (std::floor(time / every_ + 1e-6) + 1));
+  const double left = target - time;
   // A rest shorter than a part of a step is taken along; one longer than a step is shared between two.
   if (left <= dt_ * (1 + 1e-6)) return left;
   return automatic_ && left < 2 * dt_ ? left / 2 : dt_;
 }
 
 void StepSize::cut(double dt, double displacement) {
-  const double part = automatic_ && displacement > limit_ ? 0.9 * limit_ / displacement : 0.3;
+  const double bound = automatic_ ? limit_ : thinnest_;
+  const double part = displacement > bound ? 0.9 * bound / displacement : 0.3;
   dt_ = dt * std::clamp(part, 0.1, 0.5);
 }
 
 void StepSize::accepted(double dt, double displacement, int iterations) {
   if (dt < 0.5 * dt_) return;  // a short last step says nothing
   double growth = iterations > 25 ? 0.7 : iterations > 12 ? 1.0 : 1.5;
-  if (automatic_ && displacement > 0) growth = std::min(growth, std::max(0.5, 0.9 * limit_ / displacement));
+  const double bound = automatic_ ? limit_ : thinnest_;
+  if (displacement > 0) growth = std::min(growth, std::max(automatic_ ? 0.5 : 1.0, 0.9 * bound / displacement));
   dt_ = std::min(automatic_ ? dt * growth : dt_ * std::max(1.0, growth), most_);
 }
 

@@ -6,18 +6,20 @@ namespace talus {
 
 class StepSize {
  public:
-  explicit StepSize(const Model& model);
+  StepSize(const Model& model, bool contacts);
 
   double next(double time) const;  // s, never past t_end
-  bool too_far(double displacement) const { return automatic_ && displacement > 2 * limit_; }
+  bool too_far(double displacement) const { return displacement > (automatic_ ? 2 * limit_ : thinnest_); }
   void cut(double dt, double displacement);  // after an attempt of `dt` that was thrown away
   void accepted(double dt, double displacement, int iterations);
   double least() const { return least_; }
 
  private:
-  double limit_;  // m, displacement a step
+  double limit_;     // m, displacement a step
+  double thinnest_;  // m, what a step given by the user may not pass either, where blocks can meet
   bool automatic_;
   double dt_, least_, most_, end_;
+  double every_;  // s, between outputs, which an automatic step does not pass; 0: none
 };
 
 }  // namespace talus

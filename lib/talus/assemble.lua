@@ -210,13 +210,19 @@ local function fields_of(output)
   return fields
 end
 
+-- "scenes/slope.lua" -> "slope"
+local function script_name(file)
+  local name = file:match("[^/]*$"):gsub("%.lua$", "")
+  return name ~= "" and name or nil
+end
+
 local function assemble(simulation)
   local assembly = new_assembly(simulation)
   local scene, links = assembly.scene, links_of(assembly)
   local regions = given(simulation, "regions")
   local place = object.place(simulation)
   local contact = given(simulation, "contact") or object.new("joint", { name = "contact" }, place)
-  scene.file, scene.title = place.file, given(simulation, "title")
+  scene.file, scene.title = place.file, given(simulation, "title") or script_name(place.file)
   scene.gravity, scene.max_blocks = get(simulation, "gravity"), get(simulation, "max_blocks")
   add_regions(assembly, regions, contact)
   scene.contact = joint_index(assembly, contact, softest(regions))

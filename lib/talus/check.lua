@@ -47,7 +47,7 @@ function check.near(name, value, expected, options)
   local pass = is_number(value) and math.abs(value - expected) <= tolerance
   local bound = ("%.7g ± %.3g"):format(expected, tolerance)
   if is_number(value) and expected ~= 0 then
-    bound = ("%s (off by %.3g %%)"):format(bound, 100*(value - expected)/math.abs(expected))
+    bound = ("%s (off by %.3g %%)"):format(bound, 100*(value/expected - 1))
   end
   return report(name, text_of(value), bound, pass)
 end

@@ -30,6 +30,12 @@ local function in_range(value, spec)
     or spec.below and value >= spec.below or spec.most and value > spec.most)
 end
 
+-- An angle out of its range that would lie in it if it were degrees: what to write instead.
+local function degrees_hint(value, spec)
+  if spec.unit ~= "rad" or math.abs(value) > 360 or not in_range(math.rad(value), spec) then return "" end
+  return ("; in degrees? write %.10g*talus.units.deg"):format(value)
+end
+
 local function number_type(noun, plain_noun, convert)
   local of_type = {}
   function of_type.expected(spec)
@@ -38,8 +44,10 @@ local function number_type(noun, plain_noun, convert)
   end
   function of_type.check(value, spec, where)
     local kept = is_finite(value) and convert(value)
-    if not kept or not in_range(kept, spec) then
-      expected(where, of_type.expected(spec), value)
+    if not kept then expected(where, of_type.expected(spec), value) end
+    if not in_range(kept, spec) then
+      places.fail(where.place, ("%s: expected %s, got %s%s"):format(where.path, of_type.expected(spec),
+        native.describe(value), degrees_hint(kept, spec)))
     end
     return kept
   end

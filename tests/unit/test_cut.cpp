@@ -84,6 +84,7 @@ TEST(Cut, ThreeLinesThroughOnePoint) {
   };
   expect_tessellation(t(1e-12), 1);
   EXPECT_EQ(t(1e-12).cells.size(), 6u);
+  for (const auto& i : t(1e-12).interfaces) EXPECT_GT(test::edge_length(t(1e-12), i.p, i.q), 0.1);
   EXPECT_EQ(t(1e-4).cells.size(), 7u);
 }
 

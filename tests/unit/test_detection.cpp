@@ -120,6 +120,17 @@ TEST(Contacts, NonConvexBlocks) {
   EXPECT_EQ(model.contacts.size(), 6u);
 }
 
+// Blocks round a corner of the boundary that points into the rock face each other, and hang together all the same.
+TEST(Contacts, BondedBlocksRoundACornerHaveNone) {
+  Region plate = test::meshed("plate", {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, 0.4);
+  plate.holes.resize(1);
+  plate.holes[0].outline = {{0.4, 0.4}, {0.7, 0.4}, {0.55, 0.7}};
+  Model model = build(scene_of({plate}));
+  ContactSearch search;
+  search.update(model, 0);
+  EXPECT_TRUE(model.contacts.empty());
+}
+
 TEST(Contacts, BondedNeighboursHaveNone) {
   Model model = build(scene_of({test::meshed("plate", rectangle(0, 0, 3, 2), 0.5)}));
   ContactSearch search;

@@ -78,6 +78,14 @@ TEST(Mesh, OfARectangle) {
   expect_quality(t, uniform(0.1), 1600);
 }
 
+TEST(Mesh, StraightSidesAreDividedEvenly) {
+  const Tessellation t = mesh({rectangle(0, 0, 2, 1), {}, {}}, uniform(0.145), plenty);
+  for (const BoundaryEdge& e : boundary_edges(t)) {
+    const bool level = t.points[e.p].y() == t.points[e.q].y();
+    EXPECT_NEAR(test::edge_length(t, e.p, e.q), level ? 2.0 / 14 : 1.0 / 7, 1e-9);
+  }
+}
+
 TEST(Mesh, HolesAreLeftOut) {
   const Polyline outline = rectangle(-2, -2, 4, 4), hole = polygon_of_circle({0.3, 0.1}, 0.8, 40);
   const Tessellation t = mesh({outline, {hole}, {}}, uniform(0.12), plenty);

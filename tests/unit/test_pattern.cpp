@@ -111,6 +111,20 @@ TEST(Pattern, NeighboursHaveTheSamePointsToTheBit) {
   EXPECT_EQ(common, 8);
 }
 
+// At 45° each of two sides may count as that along x: the common one is walked to and fro, and rounds alike.
+TEST(Pattern, NeighboursTurnedBy45Degrees) {
+  const Vec2 p(0.4, 0.5), q(-0.3, 1.2);
+  const Tessellation below = pattern({{0.1, 0.2}, p, q, {-0.6, 0.9}}, Pattern::diagonal, 3, 7);
+  const Tessellation above = pattern({q, p, {1, 1.1}, {0.3, 1.8}}, Pattern::cross, 7, 5);
+  int common = 0;
+  for (const Vec2& point : below.points) {
+    if (distance_to_segment(p, q, point) > 1e-9) continue;
+    ++common;
+    EXPECT_EQ(std::count(above.points.begin(), above.points.end(), point), 1) << point.transpose();
+  }
+  EXPECT_EQ(common, 8);
+}
+
 TEST(Pattern, NeedsARectangleAndCounts) {
   EXPECT_THROW(pattern({{0, 0}, {1, 0}, {0, 1}}, Pattern::cross, 1, 1), std::invalid_argument);
   EXPECT_THROW(pattern({{0, 0}, {1, 0}, {1.1, 1}, {0.1, 1}}, Pattern::cross, 1, 1), std::invalid_argument);

@@ -206,8 +206,8 @@ TEST(Picture, FlyingChipDoesNotShrinkTheRest) {
 TEST(Picture, UnknownFieldIsAnsweredWithTheNearest) {
   const Model model = two_squares();
   EXPECT_TRUE(has(refusal(model, "s1_smoth"), "did you mean \"s1_smooth\"")) << refusal(model, "s1_smoth");
-  EXPECT_TRUE(has(refusal(model, "s1_smoth"), "output.picture_field"));
-  EXPECT_TRUE(has(refusal(model, "stress"), "output.picture_field"));  // three numbers are no colour
+  EXPECT_TRUE(has(refusal(model, "s1_smoth"), "output.picture: expected"));
+  EXPECT_TRUE(has(refusal(model, "stress"), "output.picture: expected"));  // three numbers are no colour
   EXPECT_EQ(refusal(model, "velocity"), "");                           // a vector by its length
 }
 

@@ -85,6 +85,9 @@ TEST(Nearest, FindsSlipsOfTheKeyboard) {
   EXPECT_EQ(nearest("Young", known), "young");
   EXPECT_EQ(nearest("densty", known), "density");
   EXPECT_EQ(nearest("friction", known), "");
+  EXPECT_EQ(nearest("Mpa", {"GPa", "kPa", "MPa"}), "MPa");
+  EXPECT_EQ(nearest("YUONG", known), "young");
+  EXPECT_EQ(nearest("KN", {"MN", "N", "kN"}), "kN");
   EXPECT_EQ(nearest("x", {"y"}), "");
   EXPECT_EQ(suggestion("zz", {"alpha", "beta"}), "; known: alpha, beta");
   EXPECT_EQ(suggestion("zz", {}), "; there are none");

@@ -64,7 +64,7 @@ return {
   {
     kind = "joint_set", call = "talus.joint_set", doc = "Parallel joints that cut their region.",
     fields = {
-      { name = "dip", type = "number", unit = "rad", required = true,
+      { name = "dip", type = "number", least = -2*math.pi, most = 2*math.pi, unit = "rad", required = true,
         doc = "angle of the joints against +x, counter-clockwise" },
       { name = "spacing", type = "number", above = 0, unit = "m", required = true,
         doc = "distance between joints, normal to them" },

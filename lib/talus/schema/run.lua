@@ -9,7 +9,8 @@ return {
         .. " when "
       .. "the script has ended.",
     fields = {
-      { name = "title", type = "string", default_doc = "the script's name", doc = "for output" },
+      { name = "title", type = "string", default_doc = "the script's name, without folder and `.lua`",
+        doc = "for output" },
       { name = "regions", type = "list", of = { type = "object", kinds = { "region" } }, count = 1,
         required = true, doc = "the regions" },
       { name = "gravity", type = "vector", unit = "m/s2", default = { 0, 0 }, doc = "acceleration of gravity" },
