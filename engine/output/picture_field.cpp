@@ -72,6 +72,7 @@ PictureField picture_field(const FieldContext& context, const std::string& name)
     } else if (!out.grey.back()) {
       field->get(context, b, value);
     }
+    if (field && field->name == "id") ++value[0];  // from 1, as in Lua and VTK
     out.values.push_back(field && field->components == 2 ? std::hypot(value[0], value[1]) : value[0]);
     if (!out.grey.back()) out.coloured.push_back(out.values.back());
   }

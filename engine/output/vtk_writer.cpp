@@ -24,9 +24,10 @@ namespace talus {
 
 namespace {
 
-constexpr std::array block_arrays = {"id",       "region",   "material", "order",  "fixed",        "displacement",
-                                     "velocity", "rotation", "spin",     "strain", "sxx",          "syy",
-                                     "sxy",      "szz",      "s1",       "s2",     "s1_direction", "mises"};
+// Beside `id`, which counts from 1 as in Lua.
+constexpr std::array block_arrays = {"region", "material", "order", "fixed", "displacement", "velocity",
+                                     "rotation", "spin",   "strain", "sxx",  "syy",          "sxy",
+                                     "szz",    "s1",       "s2",    "s1_direction", "mises"};
 
 constexpr std::array smoothed_arrays = {"sxx_smooth", "syy_smooth", "sxy_smooth", "s1_smooth", "s2_smooth"};
 
@@ -112,6 +113,7 @@ void add_point_displacement(vtkPolyData* data, const Model& model) {
 }
 
 struct Line {
+  int id, block_a, block_b;  // from 1, as in Lua: of the joint or contact; of a contact, vertex and edge
   Vec2 from, to;
   int kind, state, property;  // 0 joint, 1 contact; index into line_states
   double normal, shear;       // Pa, tension positive
@@ -134,7 +136,10 @@ Line joint_line(const FieldContext& context, int id) {
     return (model.place(joint.a, joint.in_a[k]) + model.place(joint.b, joint.in_b[k])) / 2;
   };
   const auto value = [&](const char* name) { return value_of(context, joint_fields(), name, id); };
-  return {end(0),
+  return {id + 1,
+          joint.a + 1,
+          joint.b + 1,
+          end(0),
           end(1),
           0,
           static_cast<int>(joint.state),
@@ -145,6 +150,27 @@ Line joint_line(const FieldContext& context, int id) {
           value("slip")};
 }
 
+// The part of the edge `from` + s·`span`, s in 0–1, that the contact stands for: from the foot of the corner along the
+// face that its block turns to the edge, half of what the two share; the corner at the other end has the other half.
+// Nothing where no edge of the corner lies along this one.
+std::pair<double, double> shared_part(const Model& model, const Contact& contact, const Vec2& from, const Vec2& span) {
+  constexpr double parallel_sine = 0.052;  // as in the search for contacts
+  const double length2 = span.squaredNorm();
+  const auto place = [&](const Vec2& p) { return std::clamp((p - from).dot(span) / length2, 0.0, 1.0); };
+  const BlockShape& shape = model.shapes[contact.i];
+  const Vec2 corner = model.vertex[contact.global_vertex];
+  const double foot = place(corner);
+  const int count = model.vertex_count(contact.i);
+  double reach = 0;
+  for (const int other : {(contact.vertex + 1) % count, (contact.vertex + count - 1) % count}) {
+    const Vec2 along = model.vertex[shape.vertex_begin + other] - corner;
+    if (std::abs(cross(span, along)) > parallel_sine * span.norm() * along.norm()) continue;
+    const double part = place(corner + along) - foot;
+    if (std::abs(part) > std::abs(reach)) reach = part;
+  }
+  return {foot, foot + reach / 2};
+}
+
 Line contact_line(const FieldContext& context, int id) {
   constexpr double least_share = 0.02;  // of the edge, so that a contact without length is seen too
   const Model& model = context.model;
@@ -152,12 +178,17 @@ Line contact_line(const FieldContext& context, int id) {
   const Vec2 from = model.vertex[contact.global_edge];
   const Vec2 edge =
       model.vertex[model.shapes[contact.j].vertex_begin + model.next_vertex(contact.j, contact.edge)] - from;
-  const double foot =
-      std::clamp((model.vertex[contact.global_vertex] - from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-  const double half = std::max(contact.length / edge.norm(), least_share) / 2;
+  auto [begin, end] = shared_part(model, contact, from, edge);
+  if (contact.kind != ContactKind::edge_edge || begin == end) {
+    end = std::clamp(begin + least_share / 2, least_share, 1.0);
+    begin = end - least_share;
+  }
   const auto value = [&](const char* name) { return value_of(context, contact_fields(), name, id); };
-  return {from + std::max(0.0, foot - half) * edge,
-          from + std::min(1.0, foot + half) * edge,
+  return {id + 1,
+          contact.i + 1,
+          contact.j + 1,
+          from + begin * edge,
+          from + end * edge,
           1,
           first_contact_state + static_cast<int>(contact.state),
           contact.property,
@@ -195,8 +226,9 @@ void write_blocks_vtp(const std::string& path, const FieldContext& context, cons
   add_polygons(data, model);
   add_point_displacement(data, model);
   vtkCellData* cells = data->GetCellData();
+  add_array<vtkIntArray>(cells, "id", 1, blocks, [](int b, double* out) { *out = b + 1; });
   for (const char* name : block_arrays) add_field(cells, context, *find_field(block_fields(), name), blocks);
-  const char* components[] = {"xx", "yy", "xy"};
+  const char* components[] = {"exx", "eyy", "gxy"};  // the last one is engineering shear
   for (int k = 0; k < 3; ++k) cells->GetArray("strain")->SetComponentName(k, components[k]);
   if (context.recovery) {
     const std::vector<Vec3> smoothed = context.smoothed ? *context.smoothed : smoothed_stresses(context);
@@ -218,6 +250,9 @@ void write_joints_vtp(const std::string& path, const Model& model) {
   for (int id = 0; id < static_cast<int>(model.contacts.size()); ++id) lines.push_back(contact_line(context, id));
   vtkNew<vtkPolyData> data;
   add_lines(data, lines, model.origin);
+  add_member<vtkIntArray>(data, "id", lines, &Line::id);
+  add_member<vtkIntArray>(data, "block_a", lines, &Line::block_a);
+  add_member<vtkIntArray>(data, "block_b", lines, &Line::block_b);
   add_member<vtkIntArray>(data, "kind", lines, &Line::kind);
   add_member<vtkIntArray>(data, "state", lines, &Line::state);
   add_member<vtkIntArray>(data, "property", lines, &Line::property);

@@ -35,7 +35,7 @@ void push_id(lua_State* L, const Model&, int id) {
 }
 
 const ShownField block_shown[] = {
-    {"id", "1-based number of the block", push_id},
+    {"id", "number of the block, from 1, in VTK too", push_id},
     {"region", "name of its region",
      [](lua_State* L, const Model& m, int id) { push_text(L, m.scene.regions[m.shapes[id].region].name); }},
     {"material", "name of its material",
@@ -56,10 +56,10 @@ const ShownField block_shown[] = {
 };
 
 const ShownField joint_shown[] = {
-    {"id", "1-based number of the joint", push_id},
-    {"block_a", "block on its left",
+    {"id", "number of the joint, from 1, in VTK too", push_id},
+    {"block_a", "number of the block on its left, from 1, in VTK too",
      [](lua_State* L, const Model& m, int id) { lua_pushinteger(L, m.joints[id].a + 1); }},
-    {"block_b", "block on its right",
+    {"block_b", "number of the block on its right, from 1, in VTK too",
      [](lua_State* L, const Model& m, int id) { lua_pushinteger(L, m.joints[id].b + 1); }},
     {"state", "\"intact\" or \"failed\"",
      [](lua_State* L, const Model& m, int id) { lua_pushstring(L, state_word(m.joints[id].state)); }},
@@ -72,10 +72,10 @@ const ShownField joint_shown[] = {
 };
 
 const ShownField contact_shown[] = {
-    {"id", "1-based number of the contact, valid until the next step", push_id},
-    {"block_i", "block of the vertex",
+    {"id", "number of the contact, from 1, in VTK too; valid until the next step", push_id},
+    {"block_i", "number of the block of the vertex, from 1; `block_a` in VTK",
      [](lua_State* L, const Model& m, int id) { lua_pushinteger(L, m.contacts[id].i + 1); }},
-    {"block_j", "block of the edge",
+    {"block_j", "number of the block of the edge, from 1; `block_b` in VTK",
      [](lua_State* L, const Model& m, int id) { lua_pushinteger(L, m.contacts[id].j + 1); }},
     {"vertex", "corner of block_i, from 1",
      [](lua_State* L, const Model& m, int id) { lua_pushinteger(L, m.contacts[id].vertex + 1); }},

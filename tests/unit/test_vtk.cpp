@@ -79,7 +79,8 @@ TEST(VtkBlocks, ArraysHoldTheFields) {
   const Model model = moved_squares();
   write_blocks_vtp(scratch("blocks.vtp"), {model, nullptr}, {{"heat", {7.5, -2}}});
   const auto data = read(scratch("blocks.vtp"));
-  EXPECT_EQ(cell(data, "id", 1), 1);
+  EXPECT_EQ(cell(data, "id", 0), 1);  // as sim.blocks[1] of Lua
+  EXPECT_EQ(cell(data, "id", 1), 2);
   EXPECT_EQ(cell(data, "region", 1), 1);
   EXPECT_EQ(cell(data, "fixed", 1), 1);
   EXPECT_EQ(cell(data, "velocity", 0, 1), 4);
@@ -87,7 +88,7 @@ TEST(VtkBlocks, ArraysHoldTheFields) {
   EXPECT_NEAR(cell(data, "displacement", 0, 0), 0.1, 1e-15);
   EXPECT_DOUBLE_EQ(cell(data, "rotation", 0), std::acos(0.0));
   EXPECT_NEAR(cell(data, "strain", 0, 1), 0.001, 1e-15);
-  EXPECT_STREQ(data->GetCellData()->GetArray("strain")->GetComponentName(2), "xy");
+  EXPECT_STREQ(data->GetCellData()->GetArray("strain")->GetComponentName(2), "gxy");
   EXPECT_EQ(cell(data, "sxx", 0), model.stress(0)[0]);
   EXPECT_EQ(cell(data, "s1", 0), principals(model.stress(0)).first);
   EXPECT_EQ(cell(data, "heat", 0), 7.5);
@@ -141,6 +142,11 @@ TEST(VtkJoints, JointAndContactAsLines) {
   ASSERT_EQ(data->GetNumberOfLines(), 2);
   EXPECT_EQ(cell(data, "kind", 0), 0);
   EXPECT_EQ(cell(data, "kind", 1), 1);
+  for (int line : {0, 1}) {  // the first joint and the first contact, both of blocks 1 and 2
+    EXPECT_EQ(cell(data, "id", line), 1);
+    EXPECT_EQ(cell(data, "block_a", line), 1);
+    EXPECT_EQ(cell(data, "block_b", line), 2);
+  }
   EXPECT_EQ(name(data, "state_names", static_cast<int>(cell(data, "state", 0))), "failed");
   EXPECT_EQ(name(data, "state_names", static_cast<int>(cell(data, "state", 1))), "slip");
   EXPECT_EQ(name(data, "property_names", static_cast<int>(cell(data, "property", 1))), "bond <1>");
@@ -159,14 +165,54 @@ TEST(VtkJoints, ContactIsThePartOfTheEdgeItStandsFor) {
   Model model = two_squares();
   write_joints_vtp(scratch("joints.vtp"), model);
   auto data = read(scratch("joints.vtp"));
-  // Its foot is the edge's lower end: half of its length of 0.5 lies on the edge, the rest is clipped.
+  // From its corner at the lower end half way up the side that both blocks share.
   EXPECT_NEAR(data->GetPoint(2)[0], 101, 1e-12);
-  EXPECT_NEAR(data->GetPoint(2)[1], 50.25, 1e-12);
-  EXPECT_NEAR(data->GetPoint(3)[1], 50, 1e-12);
-  model.contacts[0].length = 0;
+  EXPECT_NEAR(data->GetPoint(2)[1], 50, 1e-12);
+  EXPECT_NEAR(data->GetPoint(3)[1], 50.5, 1e-12);
+  // Block 0 lower by 0.4: its corner rests beyond the edge's end, and half of the common 0.6 m is drawn.
+  model.blocks[0].centroid.y() -= 0.4;
+  model.place_vertices();
   write_joints_vtp(scratch("joints.vtp"), model);
   data = read(scratch("joints.vtp"));
-  EXPECT_GT(data->GetPoint(2)[1] - data->GetPoint(3)[1], 0.005);  // still to be seen
+  EXPECT_NEAR(data->GetPoint(2)[1], 50, 1e-12);
+  EXPECT_NEAR(data->GetPoint(3)[1], 50.3, 1e-12);
+}
+
+TEST(VtkJoints, ContactWithoutLengthIsSeen) {
+  for (const double turn : {0.0, 0.3}) {  // of one kind by name, or by what it has become
+    Model model = two_squares();
+    if (turn == 0) model.contacts[0].kind = ContactKind::angle_edge;
+    model.blocks[0].angle = turn;
+    model.place_vertices();
+    write_joints_vtp(scratch("joints.vtp"), model);
+    const auto data = read(scratch("joints.vtp"));
+    const double low = data->GetPoint(3)[1], high = data->GetPoint(2)[1];
+    EXPECT_NEAR(std::abs(high - low), 0.02, 1e-12);
+    EXPECT_GE(std::min(low, high), 50);
+    EXPECT_LE(std::max(low, high), 51);
+  }
+}
+
+// The two contacts of a block on a longer one: together they are drawn from corner to corner.
+TEST(VtkJoints, ContactsOfAFaceCoverIt) {
+  Model model;
+  model.scene = two_squares().scene;
+  test::add_block(model, test::rectangle(2, 1, 10, 1), 6, 0);
+  test::add_block(model, test::rectangle(0, 0, 20, 1), 0, 1);
+  model.place_vertices();
+  Contact contact = two_squares().contacts[0];
+  for (const int vertex : {0, 1}) {  // of the lower side; edge 2 of block 1 runs from (20, 1) to (0, 1)
+    contact.vertex = contact.global_vertex = vertex;
+    contact.edge = 2;
+    contact.global_edge = 6;
+    model.contacts.push_back(contact);
+  }
+  write_joints_vtp(scratch("joints.vtp"), model);
+  const auto data = read(scratch("joints.vtp"));
+  EXPECT_NEAR(data->GetPoint(0)[0], 2, 1e-12);
+  EXPECT_NEAR(data->GetPoint(1)[0], 7, 1e-12);
+  EXPECT_NEAR(data->GetPoint(2)[0], 12, 1e-12);
+  EXPECT_NEAR(data->GetPoint(3)[0], 7, 1e-12);
 }
 
 TEST(VtkJoints, EmptyFrameCanBeRead) {
