@@ -49,9 +49,24 @@ bool raised_in_library(lua_State* L) {
   return false;
 }
 
+// What stands in for a part of Lua that scenes do not have, where a message is about one.
+std::string instead(std::string_view message) {
+  constexpr std::pair<std::string_view, const char*> missing[] = {
+      {"(global 'io')",
+       "; a scene has no files: results go where `output` says, lines to print or sim:log, parts of a scene come by "
+       "require"},
+      {"(global 'dofile')", "; a scene has no files: parts of it come by require"},
+      {"(global 'loadfile')", "; a scene has no files: parts of it come by require"},
+      {"(global 'debug')", "; a scene has no debug library"}};
+  for (const auto& [name, advice] : missing)
+    if (message.ends_with(name)) return advice;
+  return "";
+}
+
 int message_handler(lua_State* L) {
   if (is_error_object(L, 1)) return 1;
-  const std::string message = luaL_tolstring(L, 1, nullptr);
+  std::string message = luaL_tolstring(L, 1, nullptr);
+  message += instead(message);
   if (!raised_in_library(L)) {
     push_error(L, ErrorKind::input, message);
     return 1;

@@ -48,9 +48,34 @@ void remove_global(lua_State* L, const char* name) {
   lua_setglobal(L, name);
 }
 
+// os.execute and the like: upvalues are name and advice.
+int not_in_a_scene(lua_State* L) {
+  const std::string name = lua_tostring(L, lua_upvalueindex(1)), advice = lua_tostring(L, lua_upvalueindex(2));
+  throw ScriptError(ErrorKind::input, user_place(L).text() + ": " + name + ": a scene " + advice);
+}
+
+void refuse_in_os(lua_State* L) {
+  constexpr const char* files = "has no files: results go where `output` says, lines to print or sim:log";
+  constexpr std::pair<const char*, const char*> refused[] = {
+      {"execute", "starts no programs"},
+      {"exit", "ends with its script: sim:stop() ends a run, error(text) everything"},
+      {"getenv", "is given values by talus.param and -p name=value"},
+      {"remove", files},
+      {"rename", files},
+      {"tmpname", files},
+      {"setlocale", "has one locale"}};
+  for (const auto& [name, advice] : refused) {
+    lua_pushfstring(L, "os.%s", name);
+    lua_pushstring(L, advice);
+    lua_pushcclosure(L, guarded<not_in_a_scene>, 2);
+    lua_setfield(L, -2, name);
+  }
+}
+
 void restrict_os(lua_State* L) {
   lua_getglobal(L, LUA_OSLIBNAME);
-  lua_createtable(L, 0, 3);
+  lua_createtable(L, 0, 10);
+  refuse_in_os(L);
   for (const char* name : {"time", "clock", "date"}) {
     lua_getfield(L, -2, name);
     lua_setfield(L, -2, name);

@@ -1,5 +1,6 @@
 #pragma once
-// A Lua 5.4 state for one scene: capped memory, text chunks only, no io, os reduced to time, clock and date.
+// A Lua 5.4 state for one scene: capped memory, text chunks only, no io, os reduced to time, clock and date
+// (the rest of it says what to use instead).
 #include <cstddef>
 #include <lua.hpp>
 #include <string>

@@ -49,6 +49,7 @@ return {
       "default, or what `-p name=value` says: a number, a text, true or false, as the default is. All are"
         .. " declared before the first simulation" },
     { "require \"part\"",
-      "runs part.lua in the scene's folder once; Lua's io, debug and most of os are not there" },
+      "runs part.lua in the scene's folder once. A scene has no files and no processes: of Lua's libraries io and debug"
+        .. " are not there, and of os only time, clock and date" },
   },
 }
