@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/text.h"
+
 namespace talus {
 
 namespace {
 
 constexpr double number_size = 12, label_size = 13;  // px
 constexpr double outlier_share = 0.02;               // at either end
+constexpr double one_value = 1e-5;  // range / value below which the numbers at the bar would all look the same
 constexpr double flattened = 2.5;  // full range / range without outliers from which they are cut off
 
 // Two digits, away from zero or towards it so that the range only grows.
@@ -29,8 +32,8 @@ std::vector<BarTick> bar_ticks(const ColourBar& bar) {
   const Span shown = {scale.range.low / factor, scale.range.high / factor};
   if (scale.flat) {
     const double value = (shown.low + shown.high) / 2;
-    const double step = value == 0 ? 1 : std::pow(10, std::floor(std::log10(std::abs(value))) - 2);
-    return {{value * factor, tick_text(value, step)}};
+    const std::string text = significant(std::abs(value), scale.whole ? 9 : 4);
+    return {{value * factor, (value < 0 ? "\u2212" : "") + text}};
   }
   const int wanted = std::clamp(static_cast<int>(bar.length / (bar.upright ? 26 : 60)), 2, 6);
   const auto values = linear_ticks(shown, wanted, scale.whole);
@@ -93,7 +96,7 @@ ColourScale colour_scale(std::vector<double> values, bool whole, double noise) {
   scale.whole = whole;
   scale.range = {values.front(), values.back()};
   const double largest = std::max(std::abs(values.front()), std::abs(values.back()));
-  if (scale.range.length() <= 1e-9 * largest) {
+  if (scale.range.length() <= one_value * largest) {
     scale.flat = true;
     const double half = largest > 0 ? largest / 10 : 1;
     scale.range = {values.front() - half, values.front() + half};

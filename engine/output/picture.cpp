@@ -70,9 +70,10 @@ Layout lay_out(const Placement& placement, const PictureField& field, int width)
   out.metre = extent >= 0.02 && extent < 2e5 ? ShownUnit{1, "m"} : shown_unit("m", extent);
   ColourBar& bar = out.bar;
   bar.scale = colour_scale(field.coloured, field.whole, field.noise);
-  bar.unit = field.whole
-                 ? ShownUnit{}
-                 : shown_unit(field.unit, std::max(std::abs(bar.scale.range.low), std::abs(bar.scale.range.high)));
+  const Span& range = bar.scale.range;
+  const double largest = bar.scale.flat ? std::abs(range.low + range.high) / 2
+                                        : std::max(std::abs(range.low), std::abs(range.high));
+  bar.unit = field.whole ? ShownUnit{} : shown_unit(field.unit, largest);
   bar.label = label(field.symbol, bar.unit);
   bar.subscripts = field.subscripts;
   bar.upright = size.x() < wide_frame * size.y();

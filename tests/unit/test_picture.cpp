@@ -122,6 +122,28 @@ TEST(ColourMap, EndsAndMiddle) {
   EXPECT_EQ(colour(ColourMap::sequential, 0.5 / 16), "#460d5f");  // half-way between the first two
 }
 
+TEST(Picture, OneValueIsSaidInItsOwnDigits) {
+  Model model = two_squares();
+  const auto says = [&](double first, double second, const std::string& text) {
+    model.scene.output.fields = {{"mine", [=](int block) { return block == 0 ? first : second; }}};
+    return has(picture(model, {.field = "mine"}), ">" + text + "</text>");
+  };
+  EXPECT_TRUE(says(0.3, 0.3, "0.3"));
+  EXPECT_TRUE(says(950, 950, "950"));
+  EXPECT_TRUE(says(-12.5, -12.5 * (1 + 1e-7), "−12.5"));  // not a scale of equal numbers
+  EXPECT_TRUE(says(7, 7, "7"));
+  model.shapes[0].initial_stress = {950, 0, 0};  // of the only block that is not held
+  EXPECT_TRUE(has(picture(model, {.field = "sxx"}), ">950</text>"));
+  EXPECT_TRUE(has(picture(model, {.field = "order"}), ">0<"));
+}
+
+TEST(Picture, BlocksAreNumberedAsInLua) {
+  const std::string svg = picture(two_squares(), {.field = "id"});
+  EXPECT_TRUE(has(svg, ">1</text>"));
+  EXPECT_TRUE(has(svg, ">2</text>"));
+  EXPECT_FALSE(has(svg, ">0</text>"));
+}
+
 TEST(Picture, RoundingErrorsAreNoPicture) {
   Model model = two_squares();
   model.shapes[1].dofs = 6;

@@ -93,7 +93,8 @@ return {
       { name = "vtk", type = "boolean", default = true, doc = "VTK series of blocks and joints" },
       { name = "picture", type = "any",
         of = { { type = "boolean" }, { type = "string" }, picture },
-        default = true, doc = "SVG pictures: true, false, a field's name, or a `picture` table" },
+        default = true, doc = "SVG pictures: true, false, a field's name, or a `picture` table. The colours of each picture span the values"
+            .. " of its own time, its axes the blocks where they are then: compare pictures by the numbers at the bar" },
       { name = "fields", type = "map", of = { type = "function" },
         doc = "arrays of one's own: `{ name = function(block) return number end }`" },
     },
