@@ -73,4 +73,14 @@ inline EdgeLoad traction(int region, const On& on, const Vec2& value) {
   return load;
 }
 
+// A plate of odd shape with a hole, in some hundred triangles; bonds of the given penalty.
+inline Scene irregular(double penalty = 1.1) {
+  Region plate = meshed("plate", {{0, 0}, {3, 0.2}, {2.6, 2}, {0.4, 1.7}}, 0.4);
+  plate.holes.resize(1);
+  plate.holes[0].outline = {{1.2, 0.7}, {1.7, 0.8}, {1.5, 1.3}};
+  Scene scene = scene_of({plate});
+  scene.properties[0].penalty = penalty;
+  return scene;
+}
+
 }  // namespace talus::test

@@ -93,6 +93,15 @@ TEST(Cut, ATraceThatAllButReachesTheOutlineDoes) {
   EXPECT_EQ(cut_square({{{1e-6, 0.5}, {1 - 1e-6, 0.4}}}).cells.size(), 1u);
 }
 
+TEST(Cut, ATraceThatAllButReachesAnotherDoes) {
+  const auto t = [](double gap) { return cut_square({{{0, 0.5}, {1, 0.6}}, {{0.5, 0}, {0.5, 0.55 - gap}}}); };
+  for (double gap : {1e-13, -1e-13}) {
+    expect_tessellation(t(gap), 1);
+    EXPECT_EQ(t(gap).cells.size(), 3u) << gap;
+  }
+  EXPECT_EQ(t(1e-6).cells.size(), 2u);
+}
+
 TEST(Cut, HoleIsLeftOut) {
   const Polyline hole = rectangle(0.4, 0.4, 0.2, 0.3);
   const Tessellation t = cut({rectangle(0, 0, 1, 1), {hole}, {{{0, 0.5}, {1, 0.5}}}});

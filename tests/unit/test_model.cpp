@@ -150,15 +150,14 @@ TEST(Elasticity, PlaneStressAndPlaneStrain) {
   EXPECT_DOUBLE_EQ(strain(2, 2), 7 / 2.6);
 }
 
-// ½ vᵀ M v against ½ ∫ρ |v|² by the six-point rule on triangles of the outline, exact for squares of linear
-// fields.
+// ½ vᵀ M v against ½ ∫ρ |v|², by the midpoints of the sides of triangles from the centroid: exact for quadratics.
 TEST(MassMatrix, GivesTheKineticEnergyOfTheField) {
   Model model = one_block(wedge);
   model.blocks[0].velocity = {0.3, -0.7, 1.1, 0.4, -0.2, 0.9};
   double energy = 0;
   for (size_t k = 0; k < wedge.size(); ++k) {
     const Vec2 c = model.shapes[0].reference_centroid, a = wedge[k], b = wedge[(k + 1) % wedge.size()];
-    for (const Vec2& p : {Vec2((a + b) / 2), Vec2((b + c) / 2), Vec2((c + a) / 2)})  // exact for quadratics
+    for (const Vec2& p : {Vec2((a + b) / 2), Vec2((b + c) / 2), Vec2((c + a) / 2)})
       energy += 2000.0 / 2 * cross(a - c, b - c) / 6 * model.velocity_at(0, p).squaredNorm();
   }
   const auto v = Eigen::Map<const Eigen::Matrix<double, 6, 1>>(model.blocks[0].velocity.data());
