@@ -38,7 +38,9 @@ void add_block_terms(const Model& model, const Poses& poses, const Scheme& schem
     if (shape.dofs == 0) continue;
     const Pose& pose = poses.blocks[b];
     const DofMatrix mass = mass_matrix(model, int(b));
-    DofMatrix k = scheme.inertia * mass;
+    const Material& material = model.scene.materials[shape.material];
+    const double own_rate2 = material.young / (material.density * model.extent * model.extent);
+    DofMatrix k = (scheme.inertia + scheme.hold * own_rate2) * mass;
     DofColumn f = DofColumn::Zero();
     f.head<2>() = model.mass(int(b)) * model.scene.gravity + shape.area * own_force[shape.region];
     if (shape.dofs > 3) {

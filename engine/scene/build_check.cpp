@@ -63,8 +63,11 @@ void check_holes(Region& region) {
   }
 }
 
-// Two outlines may share an edge, not area: an overlap of 1e-6 of the smaller one is taken for rounding of
-// coordinates typed by hand. Sorted by their left ends, so that only near neighbours are compared.
+// An overlap up to this part of the smaller outline is taken for the inaccuracy of drawings and surveys: contacts
+// met overlapping do not press (theory, § 5). More is a mistake.
+constexpr double slight_overlap = 5e-3;
+
+// Sorted by their left ends, so that only near neighbours are compared.
 void check_overlaps(const Scene& scene) {
   struct Piece {
     const Region* region;
@@ -80,9 +83,9 @@ void check_overlaps(const Scene& scene) {
     for (size_t b = a + 1; b < pieces.size() && pieces[b].box.low.x() < pieces[a].box.high.x(); ++b) {
       const Vec2 shared = pieces[a].box.high.cwiseMin(pieces[b].box.high) - pieces[a].box.low.cwiseMax(pieces[b].box.low);
       const double smaller = std::min(signed_area(*pieces[a].outline), signed_area(*pieces[b].outline));
-      if (shared.minCoeff() <= 0 || shared.prod() < 1e-6 * smaller) continue;
+      if (shared.minCoeff() <= 0 || shared.prod() < slight_overlap * smaller) continue;
       const double area = overlap_area(*pieces[a].outline, *pieces[b].outline);
-      if (area <= 1e-6 * smaller) continue;
+      if (area <= slight_overlap * smaller) continue;
       const bool later = pieces[a].region < pieces[b].region;
       const Region& second = later ? *pieces[b].region : *pieces[a].region;
       const Region& first = later ? *pieces[a].region : *pieces[b].region;

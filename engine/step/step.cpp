@@ -15,7 +15,7 @@ namespace {
 
 // Equilibrium with contacts is found by steps against a little inertia, which a loose block needs to stay
 // put: this part of (wave speed / size)², far below the slowest mode of what is held.
-constexpr double equilibrium_inertia = 1e-4;
+constexpr double least_hold = 1e-4;
 constexpr int equilibrium_iterations = 200;
 constexpr int release_iterations = 20;  // from the sticking one; a scene that slides is not followed further
 
@@ -114,17 +114,13 @@ void Stepper::settle() {
 
 bool Stepper::find_equilibrium(bool stick, int iterations, Equilibrium& search) {
   auto& [report, result, d] = search;
-  double wave_speed2 = 0;
-  for (const Material& material : model_.scene.materials)
-    wave_speed2 = std::max(wave_speed2, material.young / material.density);
-  const double least_inertia =
-      plan_.contacts ? equilibrium_inertia * wave_speed2 / (model_.extent * model_.extent) : 0;
+  const double least = plan_.contacts ? least_hold : 0;
   const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
-  double inertia = least_inertia;
+  double hold = least;
   for (BlockState& state : model_.blocks) state.velocity.fill(0);
   if (plan_.held_blocks) place_held_blocks(model_);
   for (int i = 0; i < iterations; ++i) {
-    const Scheme scheme = Scheme::equilibrium(inertia);
+    const Scheme scheme = Scheme::equilibrium(hold);
     if (plan_.contacts) {
       PartTimer timer(totals_, "contact search");
       search_.update(model_, 0);
@@ -136,7 +132,7 @@ bool Stepper::find_equilibrium(bool stick, int iterations, Equilibrium& search) 
     result = solve(d);
     report.iterations += result.iterations;
     if (!result.converged && plan_.contacts && result.singular_block < 0) {
-      inertia *= 10;
+      hold *= 10;
       ++totals_.cuts;
       continue;
     }
@@ -144,11 +140,11 @@ bool Stepper::find_equilibrium(bool stick, int iterations, Equilibrium& search) 
     std::vector<BlockState> moved = moved_blocks(model_, scheme, d);
     const double displacement = largest_displacement(model_, moved);
     if (plan_.contacts && displacement > too_far) {
-      inertia *= std::max(4.0, displacement / too_far);
+      hold *= std::max(4.0, displacement / too_far);
       ++totals_.cuts;
       continue;
     }
-    inertia = std::max(least_inertia, inertia / 4);
+    hold = std::max(least, hold / 4);
     report.displacement = std::max(report.displacement, displacement);
     accept(std::move(moved));
   }
