@@ -124,6 +124,7 @@ TEST(PolygonDefect, IsNamed) {
 // Exact predicates: the least height above the edge that a double can hold is not on it.
 TEST(PolygonDefect, TouchingIsExact) {
   expect_reason({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}, "touch at (2, 0)");
+  expect_reason({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 3}, {4, 2}, {0, 1}}, "touch at (4, 2)");
   EXPECT_EQ(reason({{0, 0}, {4, 0}, {4, 2}, {2, 5e-324}, {0, 2}}), "none");
   expect_reason({{0, 0}, {4, 0}, {4, 2}, {2, -1e-300}, {0, 2}}, "cross");
 }
