@@ -92,8 +92,10 @@ void bond_corners(const Model& model, std::unordered_set<std::int64_t>& bonded) 
     for (int k = 0; k < count; ++k) group[k] = k;
     for (int k = 0; k < count; ++k)
       for (int m = 0; m < k; ++m)
-        if (by_edge.contains(pair_key(blocks[k], blocks[m])))
-          std::replace(group.begin(), group.end(), std::max(group[k], group[m]), std::min(group[k], group[m]));
+        if (by_edge.contains(pair_key(blocks[k], blocks[m]))) {
+          const int from = std::max(group[k], group[m]), to = std::min(group[k], group[m]);
+          std::replace(group.begin(), group.end(), from, to);
+        }
     for (int k = 0; k < count; ++k)
       for (int m = 0; m < k; ++m)
         if (group[k] == group[m]) bonded.insert(pair_key(blocks[k], blocks[m]));

@@ -98,8 +98,10 @@ void Recovery::connect(const Model& model) {
       const int block = nodes.blocks[first + k];
       for (int m = 0; m < k; ++m)
         if (std::count(&neighbours_[neighbour_begin_[block]], neighbours_.data() + neighbour_begin_[block + 1],
-                       nodes.blocks[first + m]))
-          std::replace(fan.begin(), fan.end(), std::max(fan[k], fan[m]), std::min(fan[k], fan[m]));
+                       nodes.blocks[first + m])) {
+          const int from = std::max(fan[k], fan[m]), to = std::min(fan[k], fan[m]);
+          std::replace(fan.begin(), fan.end(), from, to);
+        }
     }
     std::vector<int> corner(count, -1);
     for (int k = 0; k < count; ++k) {

@@ -363,8 +363,7 @@ void Mesher::refuse_angle(int point) const {
 void Mesher::refuse_field() const {
   std::ostringstream text;
   text.precision(3);
-  text << "a mesh of this size would have about " << expected_ << " triangles, more than the "
-       << static_cast<double>(most_) << " allowed: choose a larger size";
+  text << "about " << expected_ << " triangles";
   throw std::length_error(text.str());
 }
 
@@ -381,9 +380,7 @@ void Mesher::refuse_mesh() const {
   }
   std::ostringstream text;
   text.precision(3);
-  text << "the mesh needs more than the " << static_cast<double>(most_)
-       << " triangles allowed, where its size asks for about " << expected_
-       << ": choose a larger size, or look at (";
+  text << "more, though its size asks for about " << expected_ << " triangles: look at (";
   text.precision(8);
   text << where.x() << ", " << where.y() << "), where outline or traces come closest to each other";
   throw std::length_error(text.str());
