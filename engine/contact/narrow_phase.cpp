@@ -13,6 +13,9 @@ namespace {
 constexpr double parallel_sine = 0.052;
 // Corners that meet within this part of an edge's length count as on it: rounding, not geometry.
 constexpr double corner_part = 1e-9;
+// A corner that stays this near to the plane of a face, in units of the smaller block's √area, with an edge along the
+// face, slides on it and does not catch on the face round its end: coplanar blocks pass their load on without a snag.
+constexpr double flush_part = 1e-4;
 
 struct Edge {
   Vec2 from, along, normal;  // unit vectors; normal outward
@@ -23,12 +26,13 @@ struct Edge {
 
 class Pair {
  public:
-  Pair(const Model& model, const std::vector<char>& free_edge, int i, int j, double reach)
+  Pair(const Model& model, const std::vector<char>& free_edge, int i, int j, double reach, double dt)
       : model_(model),
         free_edge_(free_edge),
         i_(i),
         j_(j),
         reach_(reach),
+        dt_(dt),
         least_(std::min(model.shapes[i].length, model.shapes[j].length)) {}
 
   int i() const { return i_; }
@@ -79,8 +83,24 @@ class Pair {
   }
 
   double deepest() const { return -0.25 * least_; }
+  double flush() const { return flush_part * least_; }
+  bool slides_on(int bv, int v, int be, int e) const {
+    const Edge face = edge(be, e);
+    const Vec2 p = vertex(bv, v);
+    const double approach = face.normal.dot(model_.velocity_at(bv, p) - model_.velocity_at(be, p)) * dt_;
+    if (std::abs(face.gap(p)) + std::abs(approach) > flush() || !can_rest(bv, v, face.normal)) return false;
+    const Vec2 ahead = vertex(bv, next(bv, v)) - p, behind = vertex(bv, previous(bv, v)) - p;
+    return lies_along(ahead, face.normal) || lies_along(behind, face.normal);
+  }
+
+  // Whether corner `v` of `bv`, at the place `s` along edge `e` of `be`, passes its end flush with the face beyond it.
+  bool passes_flush(int bv, int v, int be, int e, double s, double length) const {
+    const auto on = [&](int beyond) { return free(be, beyond) && slides_on(bv, v, be, beyond); };
+    return (s <= flush() && on(previous(be, e))) || (s >= length - flush() && on(next(be, e)));
+  }
 
  private:
+  static bool lies_along(const Vec2& d, const Vec2& n) { return std::abs(d.dot(n)) <= parallel_sine * d.norm(); }
   static bool leads_away(const Vec2& d, const Vec2& n) { return d.dot(n) >= -parallel_sine * d.norm(); }
 
   // Length over which an edge at corner `v` lies along `e`, or 0.
@@ -99,7 +119,7 @@ class Pair {
   const Model& model_;
   const std::vector<char>& free_edge_;
   int i_, j_;
-  double reach_, least_;
+  double reach_, dt_, least_;
 };
 
 struct Candidate {
@@ -140,6 +160,7 @@ void vertices_on_edges(const Pair& pair, const Model& model, int bv, int be, std
       const double gap = edge.gap(p), s = edge.position(p);
       if (gap > pair.reach() || gap < pair.deepest()) continue;
       if (s < -corner_part * edge.length || s > (1 + corner_part) * edge.length) continue;
+      if (gap > 0 && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
       if (pair.can_rest(bv, v, edge.normal)) candidates.push_back({e, gap});
     }
     drop_deeper(pair, be, candidates);
@@ -174,6 +195,9 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
     if (pair.can_rest(j, w, edge.normal)) choices.push_back({j, w, i, e, edge.gap(pair.vertex(j, w))});
   }
   if (choices.empty()) return;
+  const auto flush = [&](const Choice& c) { return pair.slides_on(c.block_v, c.vertex, c.block_e, c.edge); };
+  if (std::any_of(choices.begin(), choices.end(), flush))
+    std::erase_if(choices, [&](const Choice& c) { return !flush(c); });
   const Choice best = *std::max_element(choices.begin(), choices.end(),
                                         [](const Choice& a, const Choice& b) { return a.gap < b.gap; });
   if (best.gap > pair.reach() || best.gap < pair.deepest()) return;
@@ -205,7 +229,7 @@ void find_contacts(const Model& model, const std::vector<char>& free_edge, int a
                       model.blocks[a].velocity[1] - model.blocks[b].velocity[1]);
   const double reach = search_margin * std::min(model.shapes[a].length, model.shapes[b].length) +
                        1.5 * dt * (approach.norm() + spin(a) + spin(b));
-  const Pair pair(model, free_edge, a, b, reach);
+  const Pair pair(model, free_edge, a, b, reach, dt);
   const size_t first = found.size();
   vertices_on_edges(pair, model, a, b, found);
   vertices_on_edges(pair, model, b, a, found);
