@@ -36,9 +36,9 @@ struct FreeDisc {
   Simulation simulation;
   FreeDisc(double theta, double dt, double disorder) : simulation(scene(theta, dt)) {
     std::mt19937 random(3);
-    std::normal_distribution<double> normal(0, disorder);
+    std::normal_distribution<double> normal(0, 1);
     for (BlockState& state : simulation.model.blocks)
-      for (double& v : state.velocity) v += normal(random);
+      for (double& v : state.velocity) v += disorder * normal(random);
   }
   static Scene scene(double theta, double dt) {
     Polyline circle;
