@@ -57,6 +57,9 @@ std::string run_report(const Simulation& simulation, const RunAccount& account) 
   json.text("command_line", account.command_line).text("outcome", account.outcome);
   json.number("end_time", simulation.model.time);
   add_plan(json, simulation.plan);
+  json.array("notes");
+  for (const std::string& note : simulation.notes) json.text(note);
+  json.end();
   add_sizes(json, simulation.model);
   add_totals(json, simulation.totals);
   add_seconds(json, simulation.totals, account);

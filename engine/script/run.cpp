@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <iostream>
+
 #include "script/interrupt.h"
 #include "script/lua_error.h"
 #include "script/simulation_view.h"
@@ -105,7 +107,7 @@ std::optional<StepReport> Run::step() {
   try {
     const PhaseScope stepping(phase_, Phase::stepping);
     const InterruptsHeld hold;
-    if (!began_) simulation.begin();
+    if (!began_) begin();
     if (!began_ && output_) output_->after_step(simulation);  // the start
     began_ = true;
     simulation.step();
@@ -122,6 +124,13 @@ std::optional<StepReport> Run::step() {
   }
   throw_if_interrupted();
   return simulation.last;
+}
+
+void Run::begin() {
+  simulation.begin();
+  const Place& place = simulation.model.scene.time.place;  // the line of talus.simulation
+  for (const std::string& note : simulation.notes)
+    std::cerr << "note: " << (place.file.empty() ? "" : place.text() + ": ") << note << '\n';
 }
 
 void Run::frame() {

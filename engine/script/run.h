@@ -48,6 +48,7 @@ class Run {
   explicit Run(Scene scene) : simulation(std::move(scene)) {}
 
  private:
+  void begin();
   void start_output(const RunSettings& settings);
   void call_handler(const LuaFunction& handler);
 

@@ -54,7 +54,7 @@ void Simulation::begin() {
 void Simulation::settle() {
   std::vector<std::array<double, max_dofs>> velocities;
   for (const BlockState& state : model.blocks) velocities.push_back(state.velocity);
-  stepper_->settle();
+  if (const std::string note = stepper_->settle(); !note.empty()) notes.push_back(note);
   for (size_t b = 0; b < velocities.size(); ++b) model.blocks[b].velocity = velocities[b];
 }
 

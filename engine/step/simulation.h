@@ -51,6 +51,7 @@ class Simulation {
   Plan plan;
   RunTotals totals;
   StepReport last;
+  std::vector<std::string> notes;  // what the user should know of the run; shown and kept in run.json
   double kinetic_energy() const;  // J per m thickness
   double strain_energy() const;
   // Smoothed stress, brought up to date on first use after a step. Null when numerics.recovery is off.

@@ -89,27 +89,29 @@ StepReport Stepper::equilibrium(bool stick) {
                  " keeps moving. Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic");
 }
 
-void Stepper::settle() {
-  Equilibrium stuck;
-  if (!find_equilibrium(true, equilibrium_iterations, stuck)) {
-    if (stuck.last.singular_block >= 0) give_up(stuck.last, 0);
-    throw RunError("no settled start: even with joints that do not slide, " + block_name(model_, culprit(stuck)) +
-                   " topples or falls. Hold it, or use start = \"rest\"");
-  }
-  if (!plan_.contacts) return;
-  // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
-  // starts from there, or the first steps would shake it.
-  const std::vector<BlockState> blocks = model_.blocks;
-  const std::vector<Contact> contacts = model_.contacts;
-  const std::vector<Joint> joints = model_.joints;
-  Equilibrium search;
-  if (!find_equilibrium(false, release_iterations, search)) {
+std::string Stepper::settle() {
+  Equilibrium stuck, released;
+  const auto settles = [&](bool stick, int iterations, Equilibrium& search) {
+    const std::vector<BlockState> blocks = model_.blocks;
+    const std::vector<Contact> contacts = model_.contacts;
+    const std::vector<Joint> joints = model_.joints;
+    if (find_equilibrium(stick, iterations, search)) return true;
     model_.blocks = blocks;
     model_.contacts = contacts;
     model_.joints = joints;
     model_.place_vertices();
+    return false;
+  };
+  if (!settles(true, equilibrium_iterations, stuck)) {
+    if (stuck.last.singular_block >= 0) give_up(stuck.last, 0);
+    return "no settled start: even with joints that do not slide, " + block_name(model_, culprit(stuck)) +
+           " topples or falls; the run starts at rest as given";
   }
+  // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
+  // starts from there, or the first steps would shake it.
+  if (plan_.contacts) settles(false, release_iterations, released);
   for (Contact& contact : model_.contacts) contact.slip = 0;
+  return {};
 }
 
 bool Stepper::find_equilibrium(bool stick, int iterations, Equilibrium& search) {

@@ -22,7 +22,8 @@ class Stepper {
   // Equilibrium under the loads of model.time. `stick`: contacts do not slide (settled start).
   StepReport equilibrium(bool stick);
   // The start of a settled run: equilibrium with friction where there is one, else that in which nothing slides.
-  void settle();
+  // What is to be said to the user where there is neither, and nothing has moved.
+  std::string settle();
 
  private:
   struct Equilibrium {

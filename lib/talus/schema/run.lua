@@ -53,7 +53,7 @@ return {
       { name = "displacement_ratio", type = "number", above = 0, most = 0.1, default = 0.005,
         doc = "largest displacement a step / half the height of the scene", source = "Shi 1988" },
       { name = "start", type = "enum", values = { "rest", "settled" }, default = "rest",
-        doc = "`rest`: as given; `settled`: from static equilibrium; where friction cannot hold the scene, with joints that do not slide" },
+        doc = "`rest`: as given; `settled`: from static equilibrium; where friction cannot hold the scene, with joints that do not slide; where it topples even so, at rest as given, with a note" },
       { name = "max_steps", type = "integer", least = 0, default = 0, default_doc = "no bound",
         doc = "most steps" },
     },
