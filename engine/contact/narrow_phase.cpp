@@ -16,6 +16,7 @@ constexpr double corner_part = 1e-9;
 // A corner that stays this near to the plane of a face, in units of the smaller block's √area, with an edge along the
 // face, slides on it and does not catch on the face round its end: coplanar blocks pass their load on without a snag.
 constexpr double flush_part = 1e-4;
+constexpr double grazing_slope = 0.1;  // it moves along the face, not onto it
 
 struct Edge {
   Vec2 from, along, normal;  // unit vectors; normal outward
@@ -87,8 +88,10 @@ class Pair {
   bool slides_on(int bv, int v, int be, int e) const {
     const Edge face = edge(be, e);
     const Vec2 p = vertex(bv, v);
-    const double approach = face.normal.dot(model_.velocity_at(bv, p) - model_.velocity_at(be, p)) * dt_;
-    if (std::abs(face.gap(p)) + std::abs(approach) > flush() || !can_rest(bv, v, face.normal)) return false;
+    const Vec2 way = (model_.velocity_at(bv, p) - model_.velocity_at(be, p)) * dt_;
+    const double approach = std::abs(face.normal.dot(way)), slide = std::abs(face.along.dot(way));
+    if (std::abs(face.gap(p)) > flush() || approach > std::max(flush(), grazing_slope * slide)) return false;
+    if (!can_rest(bv, v, face.normal)) return false;
     const Vec2 ahead = vertex(bv, next(bv, v)) - p, behind = vertex(bv, previous(bv, v)) - p;
     return lies_along(ahead, face.normal) || lies_along(behind, face.normal);
   }
@@ -160,7 +163,7 @@ void vertices_on_edges(const Pair& pair, const Model& model, int bv, int be, std
       const double gap = edge.gap(p), s = edge.position(p);
       if (gap > pair.reach() || gap < pair.deepest()) continue;
       if (s < -corner_part * edge.length || s > (1 + corner_part) * edge.length) continue;
-      if (gap > 0 && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
+      if (gap > -pair.flush() && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
       if (pair.can_rest(bv, v, edge.normal)) candidates.push_back({e, gap});
     }
     drop_deeper(pair, be, candidates);
@@ -196,8 +199,13 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
   }
   if (choices.empty()) return;
   const auto flush = [&](const Choice& c) { return pair.slides_on(c.block_v, c.vertex, c.block_e, c.edge); };
-  if (std::any_of(choices.begin(), choices.end(), flush))
+  if (std::any_of(choices.begin(), choices.end(), flush)) {
     std::erase_if(choices, [&](const Choice& c) { return !flush(c); });
+    // Flush with two faces: blocks that meet in one point across a crossing of joints. They press once one has moved.
+    const Vec2 along = pair.edge(choices[0].block_e, choices[0].edge).along;
+    for (const Choice& c : choices)
+      if (std::abs(cross(along, pair.edge(c.block_e, c.edge).along)) > parallel_sine) return;
+  }
   const Choice best = *std::max_element(choices.begin(), choices.end(),
                                         [](const Choice& a, const Choice& b) { return a.gap < b.gap; });
   if (best.gap > pair.reach() || best.gap < pair.deepest()) return;

@@ -43,6 +43,14 @@ class BlockMatrix {
   // y += K x
   void multiply(const Vector& x, Vector& y) const;
 
+  // The submatrix on the diagonal, both triangles; `m` has at least the block's size.
+  template <typename Derived>
+  void diagonal(int block, Eigen::MatrixBase<Derived>& m) const {
+    const int size = sizes_[block], first = begin_[block];
+    for (int j = 0; j < size; ++j)
+      for (int i = j; i < size; ++i) m(i, j) = m(j, i) = values[column_begin_[first + j] + i - j];
+  }
+
   int dimension() const { return int(column_begin_.size()) - 1; }
   int block_count() const { return int(sizes_.size()); }
   int block_of_unknown(int unknown) const;

@@ -1,5 +1,7 @@
 #include "step/open_close.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,6 +22,11 @@ constexpr double slope_part = 0.05;
 // Products with the matrix in one unsymmetric solve; each costs a back-substitution, a tenth of a factor.
 constexpr int most_products = 40;
 constexpr double least_step = 1.0 / 64;
+
+// Newton's steps of one block in a sweep, and sweeps, forwards and backwards in turn, after a step of all of them.
+constexpr int most_local = 6;
+constexpr int sweeps = 2;
+constexpr double local_tolerance = 1e-10;  // of the forces that meet in the block: well below the step's own
 
 }  // namespace
 
@@ -138,12 +145,15 @@ OpenCloseResult OpenClose::judge(const Model& model, const System& system, const
 }
 
 OpenCloseResult OpenClose::solve(const Model& model, System& system, const ContactTerms& contacts,
-                                 LinearSolver& solver, double tolerance, int max_iterations, Vector& d) {
+                                 LinearSolver& solver, double tolerance, int max_iterations, bool smoothed,
+                                 Vector& d) {
   OpenCloseResult result;
   d.setZero(system.force.size());
   start(model, system, contacts);
   evaluate(contacts, d);
   continue_states(model);
+  loose_.clear();
+  if (smoothed) find_loose(model, system);
   const std::vector<double> base = system.matrix.values;
   const auto& rows = contacts.rows();
   while (result.iterations < max_iterations) {
@@ -156,11 +166,130 @@ OpenCloseResult OpenClose::solve(const Model& model, System& system, const Conta
       predict(model, system, contacts, solver, d, result);
     else if (!settled || !coupled_step(model, system, contacts, solver, tolerance, d, result))
       convex_step(model, system, contacts, solver, d, result);
+    for (int sweep = 0; sweep < sweeps && !loose_.empty() && result.residual > tolerance; ++sweep)
+      smooth(model, system, contacts, (sweep + result.iterations) % 2 == 1, d, result);
     result.converged = result.residual <= tolerance;
     if (result.converged || !std::isfinite(result.residual)) break;
   }
   system.matrix.values = base;
   return result;
+}
+
+void OpenClose::find_loose(const Model& model, const System& system) {
+  const int blocks = int(model.shapes.size());
+  std::vector<char> bonded(blocks, false);
+  for (const Joint& joint : model.joints)
+    if (joint.state == JointState::intact) bonded[joint.a] = bonded[joint.b] = true;
+  contact_begin_.assign(blocks + 1, 0);
+  for (const Contact& c : model.contacts) {
+    ++contact_begin_[c.i + 1];
+    ++contact_begin_[c.j + 1];
+  }
+  for (int b = 0; b < blocks; ++b) contact_begin_[b + 1] += contact_begin_[b];
+  block_contacts_.resize(contact_begin_[blocks]);
+  std::vector<int> fill(contact_begin_.begin(), contact_begin_.end() - 1);
+  for (size_t k = 0; k < model.contacts.size(); ++k) {
+    block_contacts_[fill[model.contacts[k].i]++] = int(k);
+    block_contacts_[fill[model.contacts[k].j]++] = int(k);
+  }
+  own_.clear();
+  for (int b = 0; b < blocks; ++b)
+    if (!bonded[b] && model.shapes[b].dofs > 0 && contact_begin_[b + 1] > contact_begin_[b]) {
+      loose_.push_back(b);
+      DofMatrix m = DofMatrix::Identity();
+      system.matrix.diagonal(b, m);
+      own_.push_back(m);
+    }
+}
+
+// One sweep of nonlinear block Gauss–Seidel (the smoother of Gräser & Kornhuber 2009): each loose block in turn goes to
+// the least potential with its neighbours held, friction limits following its own normal forces. It settles the many
+// contacts that open, close or slip by their own block's doing, which Newton's steps would meet one at a time.
+void OpenClose::smooth(const Model& model, const System& system, const ContactTerms& contacts, bool backwards, Vector& d,
+                       OpenCloseResult& result) {
+  for (size_t n = 0; n < loose_.size(); ++n) {
+    const size_t index = backwards ? loose_.size() - 1 - n : n;
+    for (int iteration = 0; iteration < most_local; ++iteration)
+      if (!smooth_block(model, system, contacts, index, d)) break;
+  }
+  evaluate(contacts, d);
+  const auto& rows = contacts.rows();
+  for (size_t k = 0; k < rows.size(); ++k) limit_[k] = friction_limit(rows[k], rows[k].kn * std::max(0.0, -gap_[k]));
+  judge_residual(model, system, contacts, 0, result);
+}
+
+// One Newton step of one block; false when it is at rest among its neighbours.
+bool OpenClose::smooth_block(const Model& model, const System& system, const ContactTerms& contacts, size_t index,
+                             Vector& d) {
+  const int block = loose_[index], size = model.shapes[block].dofs, begin = model.shapes[block].dof_begin;
+  const auto& rows = contacts.rows();
+  const double f = contacts.factor();
+  const auto row_of = [size](const Row& row) {  // without the strain terms that a rigid block has not
+    DofColumn column = DofColumn::Zero();
+    for (int k = 0; k < size; ++k) column[k] = row[k];
+    return column;
+  };
+  DofMatrix h = own_[index];
+  DofColumn r = DofColumn::Zero();
+  r.head(size) = system.force.segment(begin, size) - kd_.segment(begin, size);
+  double scale = r.norm();
+  for (int c = contact_begin_[block]; c < contact_begin_[block + 1]; ++c) {
+    const int k = block_contacts_[c];
+    if (gap_[k] > 0) continue;
+    const bool is_i = model.contacts[k].i == block;
+    const DofColumn normal = row_of(is_i ? rows[k].normal_i : rows[k].normal_j);
+    const DofColumn shear = row_of(is_i ? rows[k].shear_i : rows[k].shear_j);
+    const double force = -rows[k].kn * gap_[k], trial = rows[k].ks * slide_[k];
+    limit_[k] = friction_limit(rows[k], force);
+    r += force * normal - std::clamp(trial, -limit_[k], limit_[k]) * shear;
+    scale += force;
+    h += f * rows[k].kn * normal * normal.transpose();
+    if (std::abs(trial) < limit_[k]) h += f * rows[k].ks * shear * shear.transpose();
+  }
+  if (r.norm() <= local_tolerance * scale) return false;
+  DofColumn p = h.llt().solve(r);
+  if (!p.allFinite()) return false;
+  p *= local_step(model, contacts, block, p, -r.dot(p), p.dot(own_[index] * p));
+  d.segment(begin, size) += p.head(size);
+  kd_.segment(begin, size) += (own_[index] * p).head(size);
+  for (int c = contact_begin_[block]; c < contact_begin_[block + 1]; ++c) {
+    const int k = block_contacts_[c];
+    const bool is_i = model.contacts[k].i == block;
+    gap_[k] += f * dot(is_i ? rows[k].normal_i : rows[k].normal_j, p.data(), size);
+    slide_[k] += f * dot(is_i ? rows[k].shear_i : rows[k].shear_j, p.data(), size);
+  }
+  return true;
+}
+
+// Part of the block's own step p at which the slope of its potential, limits frozen, has fallen enough.
+double OpenClose::local_step(const Model& model, const ContactTerms& contacts, int block, const DofColumn& p,
+                             double slope0, double curvature) const {
+  const auto& rows = contacts.rows();
+  const double f = contacts.factor();
+  const auto contact_slope = [&](double step) {
+    double slope = 0;
+    for (int c = contact_begin_[block]; c < contact_begin_[block + 1]; ++c) {
+      const int k = block_contacts_[c];
+      const bool is_i = model.contacts[k].i == block;
+      const int size = model.shapes[block].dofs;
+      const double gap_rate = f * dot(is_i ? rows[k].normal_i : rows[k].normal_j, p.data(), size);
+      const double slide_rate = f * dot(is_i ? rows[k].shear_i : rows[k].shear_j, p.data(), size);
+      const double gap = gap_[k] + step * gap_rate, slide = slide_[k] + step * slide_rate;
+      slope += (-rows[k].kn * std::max(0.0, -gap) * gap_rate +
+                std::clamp(rows[k].ks * slide, -limit_[k], limit_[k]) * slide_rate) / f;
+    }
+    return slope;
+  };
+  const double at0 = contact_slope(0), enough = slope_part * std::abs(slope0);
+  const auto slope = [&](double step) { return slope0 + step * curvature + contact_slope(step) - at0; };
+  double low = 0, high = 1;
+  if (slope(1) <= enough) return 1;
+  for (int i = 0; i < 20; ++i) {
+    const double middle = (low + high) / 2, value = slope(middle);
+    if (std::abs(value) <= enough) return middle;
+    (value > 0 ? high : low) = middle;
+  }
+  return low > 0 ? low : high;
 }
 
 void OpenClose::continue_states(const Model& model) {

@@ -1,9 +1,10 @@
 #pragma once
 // The contact solution of a step: which contacts are open, which stick, which slip, and the unknowns that go
-// with it. Newton's method on the convex potential of springs and of friction at a frozen normal force, with
-// exact line search; the normal force is renewed after every iteration. A solution is accepted only when the
-// residual of the coupled Coulomb law, friction at the present normal force, is below its tolerance in every
-// block: not when the states have stopped flipping.
+// with it. The first solve continues the states of the last step. Then Newton's method: on the coupled Coulomb law
+// where its residual falls, else on the convex potential of springs and of friction at a frozen normal force, with
+// exact line search and the normal force renewed after every iteration; after each, sweeps of nonlinear
+// Gauss–Seidel over the loose blocks. A solution is accepted only when the residual of the coupled law, friction at
+// the present normal force, is below its tolerance in every block: not when the states have stopped flipping.
 #include "equations/contact_terms.h"
 #include "equations/linear_solver.h"
 
@@ -19,10 +20,12 @@ struct OpenCloseResult {
 
 class OpenClose {
  public:
+  // `smoothed`: loose blocks are also taken one by one, which serves motion and wastes time in equilibrium, where
+  // nothing but their neighbours holds them.
   // Solves for d, starting at d = 0 with the contacts' last normal forces as friction limits. Tolerance and
   // residual are relative to the forces that meet in a block (see force_floor in the source).
   OpenCloseResult solve(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
-                        double tolerance, int max_iterations, Vector& d);
+                        double tolerance, int max_iterations, bool smoothed, Vector& d);
   // Residual at d = 0 without solving.
   OpenCloseResult judge(const Model& model, const System& system, const ContactTerms& contacts);
   // States, forces and stretches of the last solution into the model's contacts.
@@ -32,6 +35,12 @@ class OpenClose {
   void start(const Model& model, const System& system, const ContactTerms& contacts);
   void evaluate(const ContactTerms& contacts, const Vector& d);
   void residual(const System& system, const ContactTerms& contacts, bool coupled, Vector& r) const;
+  void find_loose(const Model& model, const System& system);
+  void smooth(const Model& model, const System& system, const ContactTerms& contacts, bool backwards, Vector& d,
+              OpenCloseResult& result);
+  bool smooth_block(const Model& model, const System& system, const ContactTerms& contacts, size_t index, Vector& d);
+  double local_step(const Model& model, const ContactTerms& contacts, int block, const DofColumn& p, double slope0,
+                    double curvature) const;
   void continue_states(const Model& model);
   bool factor(System& system, const ContactTerms& contacts, const std::vector<double>& base, LinearSolver& solver,
               OpenCloseResult& result);
@@ -52,6 +61,9 @@ class OpenClose {
   std::vector<double> gap_, slide_, limit_;  // per contact, at the present d; limit_: frozen friction limit, N
   std::vector<double> pace_, last_change_;    // of the limits: part of a change that is taken; last change, N
   std::vector<char> closed_, stuck_, factored_closed_, factored_stuck_;
+  std::vector<int> loose_;                    // blocks without intact bonds, which smooth() can take one by one
+  std::vector<DofMatrix> own_;                // their matrices, without contacts
+  std::vector<int> contact_begin_, block_contacts_;  // contacts of each block
   Vector kd_, r_, p_, kp_;
 };
 

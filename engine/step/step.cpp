@@ -50,7 +50,7 @@ StepReport Stepper::dynamic_step() {
     // 3. Open–close: everything linear once, then contacts until their law is met.
     Vector d;
     assemble(scheme, false);
-    const OpenCloseResult result = solve(d);
+    const OpenCloseResult result = solve(true, d);
     report.iterations = result.iterations;
     report.residual = result.residual;
 
@@ -131,7 +131,7 @@ bool Stepper::find_equilibrium(bool stick, int iterations, Equilibrium& search) 
     result = open_close_.judge(model_, system_, contacts_);
     report.residual = result.residual;
     if (i > 0 && result.residual <= model_.scene.numerics.static_tolerance) return true;
-    result = solve(d);
+    result = solve(false, d);
     report.iterations += result.iterations;
     if (!result.converged && plan_.contacts && result.singular_block < 0) {
       hold *= 10;
@@ -180,12 +180,12 @@ void Stepper::assemble(const Scheme& scheme, bool stick) {
   }
 }
 
-OpenCloseResult Stepper::solve(Vector& d) {
+OpenCloseResult Stepper::solve(bool smoothed, Vector& d) {
   PartTimer timer(totals_, "open-close and solve");
   const Numerics& numerics = model_.scene.numerics;
   const long before = solver_.factorisations;
   OpenCloseResult result = open_close_.solve(model_, system_, contacts_, solver_, numerics.contact_tolerance,
-                                             numerics.max_iterations, d);
+                                             numerics.max_iterations, smoothed, d);
   if (!d.allFinite()) result.converged = false;
   totals_.iterations += result.iterations;
   totals_.factorisations += solver_.factorisations - before;

@@ -32,7 +32,7 @@ class Stepper {
     Vector d;  // m, last displacements
   };
   bool find_equilibrium(bool stick, int iterations, Equilibrium& search);
-  OpenCloseResult solve(Vector& d);
+  OpenCloseResult solve(bool smoothed, Vector& d);
   void assemble(const Scheme& scheme, bool stick);
   void accept(std::vector<BlockState> moved);
   [[noreturn]] void give_up(const OpenCloseResult& result, double dt) const;
