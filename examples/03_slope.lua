@@ -1,6 +1,6 @@
 -- A rock slope cut by two joint sets slides along the set that daylights: above the toe nothing holds the layer, and its
 -- upper blocks move as one on an incline, g (sin a - cos a tan phi) t²/2. At 33 degrees of friction nothing slides.
--- Run: scripts/run examples/03_slope.lua -p friction=20      (4 s CPU)
+-- Run: scripts/run examples/03_slope.lua -p friction=20      (2 s CPU)
 -- Teaches: joint sets, real joints, contacts between the blocks of one region, automatic time step, probes.
 -- Picture: docs/pictures/03_slope.svg
 local talus = require "talus"
