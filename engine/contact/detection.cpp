@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "contact/narrow_phase.h"
+#include "model/groups.h"
 
 namespace talus {
 
@@ -88,14 +89,7 @@ void bond_corners(const Model& model, std::unordered_set<std::int64_t>& bonded) 
   for (size_t n = 0; n + 1 < nodes.begin.size(); ++n) {
     const int* blocks = &nodes.blocks[nodes.begin[n]];
     const int count = nodes.begin[n + 1] - nodes.begin[n];
-    group.resize(count);
-    for (int k = 0; k < count; ++k) group[k] = k;
-    for (int k = 0; k < count; ++k)
-      for (int m = 0; m < k; ++m)
-        if (by_edge.contains(pair_key(blocks[k], blocks[m]))) {
-          const int from = std::max(group[k], group[m]), to = std::min(group[k], group[m]);
-          std::replace(group.begin(), group.end(), from, to);
-        }
+    find_groups(count, [&](int k, int m) { return by_edge.contains(pair_key(blocks[k], blocks[m])); }, group);
     for (int k = 0; k < count; ++k)
       for (int m = 0; m < k; ++m)
         if (group[k] == group[m]) bonded.insert(pair_key(blocks[k], blocks[m]));

@@ -85,6 +85,7 @@ class Pair {
 
   double deepest() const { return -0.25 * least_; }
   double flush() const { return flush_part * least_; }
+  // Whether corner `v` of `bv` is flush with edge `e` of `be`, at or beyond its ends, and stays so during the step.
   bool slides_on(int bv, int v, int be, int e) const {
     const Edge face = edge(be, e);
     const Vec2 p = vertex(bv, v);

@@ -2,7 +2,6 @@
 
 namespace talus {
 
-
 DofMatrix mass_matrix(const Model& model, int block) {
   const BlockShape& shape = model.shapes[block];
   const double density = model.material(block).density, scale = density / (shape.length * shape.length);

@@ -4,7 +4,6 @@
 
 namespace talus {
 
-
 // ∫ρ TᵀT dA in the block's own axes (kg/m); constant.
 DofMatrix mass_matrix(const Model& model, int block);
 

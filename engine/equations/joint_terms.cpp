@@ -52,15 +52,26 @@ Vec2 between(const std::array<Vec2, 2>& ends, double at) { return (1 - at) * end
 
 DofColumn velocity_of(const Pose& pose) { return Eigen::Map<const DofColumn>(pose.velocity.data()); }
 
-// The blocks of a bond at both ends of the step, to weigh the jump between them.
+// All blocks at both ends of the step, flown once for all their bonds.
+struct Ends {
+  std::vector<Pose> start, end;
+  Ends(const Model& model, double dt) {
+    for (int b = 0; b < int(model.blocks.size()); ++b) {
+      start.push_back(flown(model, b, 0));
+      end.push_back(flown(model, b, dt));
+    }
+  }
+};
+
+// The jump of a bond, weighed between both ends of the step.
 class Jump {
  public:
-  Jump(const Model& model, const Joint& joint, const Scheme& scheme)
+  Jump(const Model& model, const Ends& ends, const Joint& joint, const Scheme& scheme)
       : joint_(joint),
         scheme_(scheme),
         spin_((spin_of(model, joint.a) + spin_of(model, joint.b)) / 2),
-        start_{flown(model, joint.a, 0), flown(model, joint.b, 0)},
-        end_{flown(model, joint.a, scheme.dt), flown(model, joint.b, scheme.dt)},
+        start_{&ends.start[joint.a], &ends.start[joint.b]},
+        end_{&ends.end[joint.a], &ends.end[joint.b]},
         from_start_(Rotation::of(spin_ * scheme.mid)),
         from_end_(Rotation::of(spin_ * (scheme.mid - scheme.dt))) {}
 
@@ -74,17 +85,18 @@ class Jump {
   static double spin_of(const Model& model, int block) {
     return model.blocks[block].velocity[2] / model.shapes[block].length;
   }
-  Vec2 ahead(const std::array<Pose, 2>& poses, double along) const {
+  Vec2 ahead(const std::array<const Pose*, 2>& poses, double along) const {
+    const auto& [a, b] = poses;
     const Vec2 in_a = between(joint_.in_a, along), in_b = between(joint_.in_b, along);
-    const Vec2 jump = poses[1].displacement(in_b) - poses[0].displacement(in_a);
+    const Vec2 jump = b->displacement(in_b) - a->displacement(in_a);
     if (scheme_.bond_ahead == 0) return jump;
-    return jump + scheme_.bond_ahead * (poses[1].velocity_at(in_b) - poses[0].velocity_at(in_a) - spin_ * perp(jump));
+    return jump + scheme_.bond_ahead * (b->velocity_at(in_b) - a->velocity_at(in_a) - spin_ * perp(jump));
   }
 
   const Joint& joint_;
   const Scheme& scheme_;
   double spin_;  // rad/s, of the pair
-  std::array<Pose, 2> start_, end_;
+  std::array<const Pose*, 2> start_, end_;  // of blocks a and b
   Rotation from_start_, from_end_;
 };
 
@@ -154,6 +166,7 @@ void JointTerms::find_slots(const Model& model, const BlockMatrix& matrix) {
 }
 
 void JointTerms::add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const {
+  const Ends ends(model, scheme.dt);
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
     if (joint.state != JointState::intact) continue;
@@ -170,7 +183,7 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
     const auto [kn, ks] = stiffness_[j];
     const Mat2 stiffness = kn * n * n.transpose() + ks * perp(n) * perp(n).transpose();
 
-    const Jump jump(model, joint, scheme);
+    const Jump jump(model, ends, joint, scheme);
     DofMatrix kaa = DofMatrix::Zero(), kbb = kaa, kab = kaa;
     DofColumn fa = DofColumn::Zero(), fb = fa;
     for (const JointPoint& point : joint.points) {

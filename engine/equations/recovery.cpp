@@ -6,6 +6,8 @@
 #include <numeric>
 #include <unordered_set>
 
+#include "model/groups.h"
+
 namespace talus {
 
 namespace {
@@ -92,17 +94,12 @@ void Recovery::connect(const Model& model) {
   std::vector<int> fan;
   for (size_t n = 0; n + 1 < nodes.begin.size(); ++n) {
     const int first = nodes.begin[n], count = nodes.begin[n + 1] - first;
-    fan.resize(count);
-    std::iota(fan.begin(), fan.end(), 0);
-    for (int k = 0; k < count; ++k) {
+    const auto bonded = [&](int k, int m) {
       const int block = nodes.blocks[first + k];
-      for (int m = 0; m < k; ++m)
-        if (std::count(&neighbours_[neighbour_begin_[block]], neighbours_.data() + neighbour_begin_[block + 1],
-                       nodes.blocks[first + m])) {
-          const int from = std::max(fan[k], fan[m]), to = std::min(fan[k], fan[m]);
-          std::replace(fan.begin(), fan.end(), from, to);
-        }
-    }
+      return std::count(neighbours_.data() + neighbour_begin_[block], neighbours_.data() + neighbour_begin_[block + 1],
+                        nodes.blocks[first + m]) > 0;
+    };
+    find_groups(count, bonded, fan);
     std::vector<int> corner(count, -1);
     for (int k = 0; k < count; ++k) {
       if (corner[fan[k]] < 0) {

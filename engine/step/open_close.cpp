@@ -1,7 +1,6 @@
 #include "step/open_close.h"
 
 #include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -94,27 +93,30 @@ void OpenClose::judge_residual(const Model& model, const System& system, const C
   }
 }
 
+// Share of a contact in the potential's slope, limits frozen, after `step` of a move that changes gap and slide so fast.
+double OpenClose::contact_slope(const ContactRows& row, size_t k, double step, double gap_rate, double slide_rate,
+                                double factor) const {
+  const double gap = gap_[k] + step * gap_rate, slide = slide_[k] + step * slide_rate;
+  return (-row.kn * std::max(0.0, -gap) * gap_rate + std::clamp(row.ks * slide, -limit_[k], limit_[k]) * slide_rate) /
+         factor;
+}
+
 // Root of the potential's slope along p; the slope is a rising, piecewise linear function of the step.
 double OpenClose::line_search(const ContactTerms& contacts, const Vector& p, double slope0, double curvature) const {
   const auto& rows = contacts.rows();
   std::vector<double> gap_rate(rows.size()), slide_rate(rows.size());
-  double contact_slope0 = 0;
-  const auto contact_slope = [&](double step) {
+  const auto contact_slopes = [&](double step) {
     double slope = 0;
-    for (size_t k = 0; k < rows.size(); ++k) {
-      const double gap = gap_[k] + step * gap_rate[k], slide = slide_[k] + step * slide_rate[k];
-      slope += (-rows[k].kn * std::max(0.0, -gap) * gap_rate[k] +
-                std::clamp(rows[k].ks * slide, -limit_[k], limit_[k]) * slide_rate[k]) /
-               contacts.factor();
-    }
+    for (size_t k = 0; k < rows.size(); ++k)
+      slope += contact_slope(rows[k], k, step, gap_rate[k], slide_rate[k], contacts.factor());
     return slope;
   };
   for (size_t k = 0; k < rows.size(); ++k) {
     gap_rate[k] = contacts.factor() * rows[k].along(rows[k].normal_i, rows[k].normal_j, p);
     slide_rate[k] = contacts.factor() * rows[k].along(rows[k].shear_i, rows[k].shear_j, p);
   }
-  contact_slope0 = contact_slope(0);
-  const auto slope = [&](double step) { return slope0 + step * curvature + contact_slope(step) - contact_slope0; };
+  const double at0 = contact_slopes(0);
+  const auto slope = [&](double step) { return slope0 + step * curvature + contact_slopes(step) - at0; };
   const double enough = slope_part * std::abs(slope0);
   double low = 0, high = 1, at_low = slope0, at_high = slope(1);
   if (at_high <= enough) return 1;
@@ -212,10 +214,7 @@ void OpenClose::smooth(const Model& model, const System& system, const ContactTe
     for (int iteration = 0; iteration < most_local; ++iteration)
       if (!smooth_block(model, system, contacts, index, d)) break;
   }
-  evaluate(contacts, d);
-  const auto& rows = contacts.rows();
-  for (size_t k = 0; k < rows.size(); ++k) limit_[k] = friction_limit(rows[k], rows[k].kn * std::max(0.0, -gap_[k]));
-  judge_residual(model, system, contacts, 0, result);
+  arrive(model, system, contacts, d, result);
 }
 
 // One Newton step of one block; false when it is at rest among its neighbours.
@@ -266,22 +265,20 @@ double OpenClose::local_step(const Model& model, const ContactTerms& contacts, i
                              double slope0, double curvature) const {
   const auto& rows = contacts.rows();
   const double f = contacts.factor();
-  const auto contact_slope = [&](double step) {
+  const int size = model.shapes[block].dofs;
+  const auto contact_slopes = [&](double step) {
     double slope = 0;
     for (int c = contact_begin_[block]; c < contact_begin_[block + 1]; ++c) {
       const int k = block_contacts_[c];
       const bool is_i = model.contacts[k].i == block;
-      const int size = model.shapes[block].dofs;
       const double gap_rate = f * dot(is_i ? rows[k].normal_i : rows[k].normal_j, p.data(), size);
       const double slide_rate = f * dot(is_i ? rows[k].shear_i : rows[k].shear_j, p.data(), size);
-      const double gap = gap_[k] + step * gap_rate, slide = slide_[k] + step * slide_rate;
-      slope += (-rows[k].kn * std::max(0.0, -gap) * gap_rate +
-                std::clamp(rows[k].ks * slide, -limit_[k], limit_[k]) * slide_rate) / f;
+      slope += contact_slope(rows[k], k, step, gap_rate, slide_rate, f);
     }
     return slope;
   };
-  const double at0 = contact_slope(0), enough = slope_part * std::abs(slope0);
-  const auto slope = [&](double step) { return slope0 + step * curvature + contact_slope(step) - at0; };
+  const double at0 = contact_slopes(0), enough = slope_part * std::abs(slope0);
+  const auto slope = [&](double step) { return slope0 + step * curvature + contact_slopes(step) - at0; };
   double low = 0, high = 1;
   if (slope(1) <= enough) return 1;
   for (int i = 0; i < 20; ++i) {
@@ -312,10 +309,20 @@ bool OpenClose::factor(System& system, const ContactTerms& contacts, const std::
   return result.singular_block < 0;
 }
 
+void OpenClose::multiply(const System& system) {
+  kp_.setZero(p_.size());
+  system.matrix.multiply(p_, kp_);
+}
+
 void OpenClose::advance(const Model& model, const System& system, const ContactTerms& contacts, double step, Vector& d,
                         OpenCloseResult& result) {
   d += step * p_;
   kd_ += step * kp_;
+  arrive(model, system, contacts, d, result);
+}
+
+void OpenClose::arrive(const Model& model, const System& system, const ContactTerms& contacts, const Vector& d,
+                       OpenCloseResult& result) {
   evaluate(contacts, d);
   const auto& rows = contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) limit_[k] = friction_limit(rows[k], rows[k].kn * std::max(0.0, -gap_[k]));
@@ -335,19 +342,17 @@ void OpenClose::predict(const Model& model, const System& system, const ContactT
     rows[k].add(rows[k].shear_i, rows[k].shear_j, -(stuck_[k] ? shear : std::clamp(shear, -limit_[k], limit_[k])), r_);
   }
   solver.solve(r_, p_);
-  kp_.setZero(p_.size());
-  system.matrix.multiply(p_, kp_);
+  multiply(system);
   advance(model, system, contacts, 1, d, result);
 }
 
 // One Newton step on the convex potential with friction limits frozen, then the limits follow the normal forces. A
 // limit that swings goes half as far each time: at a wedge a higher limit may open the contact that gave it.
 void OpenClose::convex_step(const Model& model, const System& system, const ContactTerms& contacts,
-                              LinearSolver& solver, Vector& d, OpenCloseResult& result) {
+                            LinearSolver& solver, Vector& d, OpenCloseResult& result) {
   residual(system, contacts, false, r_);
   solver.solve(r_, p_);
-  kp_.setZero(p_.size());
-  system.matrix.multiply(p_, kp_);
+  multiply(system);
   const double step = contacts.rows().empty() ? 1 : line_search(contacts, p_, -r_.dot(p_), p_.dot(kp_));
   const std::vector<double> frozen = limit_;
   advance(model, system, contacts, step, d, result);
@@ -361,7 +366,7 @@ void OpenClose::convex_step(const Model& model, const System& system, const Cont
 }
 
 // One Newton step on the coupled law, whose limits follow the normal force: unsymmetric, so by GMRES with the factor
-// of the symmetric part. Kept only if it halves the residual; frozen limits alone would converge linearly.
+// of the symmetric part. Kept only if the residual falls; frozen limits alone would converge linearly.
 bool OpenClose::coupled_step(const Model& model, const System& system, const ContactTerms& contacts,
                              LinearSolver& solver, double tolerance, Vector& d, OpenCloseResult& result) {
   const auto& rows = contacts.rows();
@@ -377,10 +382,10 @@ bool OpenClose::coupled_step(const Model& model, const System& system, const Con
   const auto apply = [&](const Vector& x, Vector& y) {
     y.setZero(x.size());
     system.matrix.multiply(x, y);
-    for (size_t k = 0; k < rows.size(); ++k) {
-      if (closed_[k]) rows[k].add(rows[k].normal_i, rows[k].normal_j,
-                                  f * rows[k].kn * rows[k].along(rows[k].normal_i, rows[k].normal_j, x), y);
-    }
+    for (size_t k = 0; k < rows.size(); ++k)
+      if (closed_[k])
+        rows[k].add(rows[k].normal_i, rows[k].normal_j,
+                    f * rows[k].kn * rows[k].along(rows[k].normal_i, rows[k].normal_j, x), y);
     for (const size_t k : sticking)
       rows[k].add(rows[k].shear_i, rows[k].shear_j,
                   f * rows[k].ks * rows[k].along(rows[k].shear_i, rows[k].shear_j, x), y);
@@ -392,8 +397,7 @@ bool OpenClose::coupled_step(const Model& model, const System& system, const Con
   residual(system, contacts, true, r_);
   const double wanted = std::clamp(0.1 * tolerance / result.residual, 1e-10, 1e-2);
   gmres(apply, [&](const Vector& y, Vector& z) { solver.solve(y, z); }, r_, wanted, most_products, p_);
-  kp_.setZero(p_.size());
-  system.matrix.multiply(p_, kp_);
+  multiply(system);
   // Along p the residual falls at once, and in every norm, until a state changes: halve until it has fallen.
   const OpenCloseResult before = result;
   const std::vector<double> limits = limit_;

@@ -20,10 +20,10 @@ struct OpenCloseResult {
 
 class OpenClose {
  public:
-  // `smoothed`: loose blocks are also taken one by one, which serves motion and wastes time in equilibrium, where
-  // nothing but their neighbours holds them.
   // Solves for d, starting at d = 0 with the contacts' last normal forces as friction limits. Tolerance and
-  // residual are relative to the forces that meet in a block (see force_floor in the source).
+  // residual are relative to the forces that meet in a block (see force_floor in the source). `smoothed`: loose
+  // blocks are also taken one by one, which serves motion and wastes time in equilibrium, where nothing but their
+  // neighbours holds them.
   OpenCloseResult solve(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
                         double tolerance, int max_iterations, bool smoothed, Vector& d);
   // Residual at d = 0 without solving.
@@ -53,6 +53,12 @@ class OpenClose {
   // Takes `step` of p_: places, friction limits and the residual follow.
   void advance(const Model& model, const System& system, const ContactTerms& contacts, double step, Vector& d,
                OpenCloseResult& result);
+  // d was changed: the same.
+  void arrive(const Model& model, const System& system, const ContactTerms& contacts, const Vector& d,
+              OpenCloseResult& result);
+  void multiply(const System& system);  // kp_ = K p_
+  double contact_slope(const ContactRows& row, size_t k, double step, double gap_rate, double slide_rate,
+                       double factor) const;
   double friction_limit(const ContactRows& row, double normal) const;
   void judge_residual(const Model& model, const System& system, const ContactTerms& contacts, double place_rounding,
                       OpenCloseResult& result);
