@@ -57,14 +57,16 @@ void rows_at(const Vec2& p, int terms, const Cubic* cubic, Side& u, Side& v) {
   v[u_x2y] = cubic->y3_by_other * x3;
 }
 
-// Stress of a block whose material is turned by `base` and then deformed by the gradient f = R U.
-Vec3 stress_of(const Model& model, int block, double base, const Mat2& f) {
+// Stress at a point of a block whose material is turned by `base` and then deformed by the gradient f = R U.
+Vec3 stress_of(const Model& model, int block, const Vec2& in_block, double base, const Mat2& f) {
   const double angle = std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));  // polar rotation of a 2×2 matrix
   const Rotation r = Rotation::of(angle);
   const Vec2 x = r.back(f.col(0)), y = r.back(f.col(1));  // columns of U
   const Vec3 strain(x.x() - 1, y.y() - 1, x.y() + y.x());
-  return turn_stress(Rotation::of(base + angle),
-                     model.shapes[block].initial_stress + elasticity(model.material(block)) * strain);
+  Vec3 initial = model.shapes[block].initial_stress;  // at the centroid
+  if (const auto& given = model.scene.regions[model.shapes[block].region].stress)
+    initial += given->gradient_x * in_block.x() + given->gradient_y * in_block.y();
+  return turn_stress(Rotation::of(base + angle), initial + elasticity(model.material(block)) * strain);
 }
 
 }  // namespace
@@ -186,7 +188,7 @@ Vec3 Recovery::stress_at(const Model& model, int block, const Vec2& in_block) co
   const Side c = factor.solve(right) / patch.radius;
   Mat2 f;
   f << 1 + c[1], c[2], c[terms + 1], 1 + c[terms + 2];
-  return stress_of(model, block, base, f);
+  return stress_of(model, block, in_block, base, f);
 }
 
 }  // namespace talus
