@@ -20,6 +20,15 @@ DofMatrix mass_matrix(const Model& model, int block) {
   return m;
 }
 
+double moment_of_inertia(const Model& model, int block, const Vec3& e) {
+  const BlockShape& shape = model.shapes[block];
+  Mat2 stretch, moments;
+  stretch << 1 + e[0], e[2] / 2, e[2] / 2, 1 + e[1];
+  moments << shape.xx, shape.xy, shape.xy, shape.yy;
+  return model.material(block).density / (shape.length * shape.length) *
+         (stretch * moments * stretch.transpose()).trace();
+}
+
 Vec2 body_force(const Model& model, int region, double density, double t) {
   const auto& own = model.scene.regions[region].body_force;
   return density * model.scene.gravity + Vec2(own[0].at(t), own[1].at(t));

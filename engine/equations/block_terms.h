@@ -7,6 +7,9 @@ namespace talus {
 // ∫ρ TᵀT dA in the block's own axes (kg/m); constant.
 DofMatrix mass_matrix(const Model& model, int block);
 
+// ρ/l² ∫ |x|² over the block strained by e (kg/m): its moment of inertia in units of the rotation unknown.
+double moment_of_inertia(const Model& model, int block, const Vec3& e);
+
 // External force per area on a block, N/m2: gravity and its region's body force at time `t`.
 Vec2 body_force(const Model& model, int region, double density, double t);
 

@@ -1,11 +1,10 @@
 #pragma once
-// Fixed points, point loads, edge tractions and pressures; the motion of held blocks.
-#include "equations/system.h"
+// Point loads, edge tractions and pressures; the motion of held blocks.
+#include <functional>
+
+#include "equations/supports.h"
 
 namespace talus {
-
-// Displacement (m) a fixity asks for at time `t`: its displacement history, or its velocity summed from 0 to t.
-Vec2 fixity_displacement(const Fixity& fixity, double t);
 
 // Gives wholly held blocks the velocity that takes them to where their fixity wants them at the step's end.
 void move_held_blocks(Model& model, double dt);
@@ -13,6 +12,11 @@ void move_held_blocks(Model& model, double dt);
 // Equilibrium: held blocks where their fixity wants them at Model::time.
 void place_held_blocks(Model& model);
 
-void add_boundary_terms(const Model& model, const Poses& poses, const Scheme& scheme, System& system);
+// Each force (N/m) of the loads at `time` on a block, and the place where it acts. A pressure follows its edge: it pushes
+// along the inward normal of the edge as it lies now.
+using LoadVisitor = std::function<void(int block, const Vec2& at, const Vec2& force)>;
+void each_load(const Model& model, const Poses& poses, double time, const LoadVisitor& visit);
+
+void add_loads(const Model& model, const Poses& poses, const Scheme& scheme, System& system);
 
 }  // namespace talus

@@ -2,55 +2,15 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "equations/boundary_terms.h"
+#include "equations/side.h"
 
 namespace talus {
 
 namespace {
 
-using Matrix23 = Eigen::Matrix<double, 2, 3>;
-
 // A fixity is held harder than the least that is stable: where one block alone stands on it, a soft hold would not pass
 // its weight into its stress (1D: σ is off by κ/k).
 constexpr double ground_penalty = 1000;
-
-// (σx, σy, τ) -> traction on a face of normal n.
-Matrix23 traction_of(const Vec2& n) {
-  Matrix23 m;
-  m << n.x(), 0, n.y(), 0, n.y(), n.x();
-  return m;
-}
-
-// One side of a bond at the configuration of linearisation.
-struct Side {
-  const Pose& pose;
-  Mat3 elasticity;
-  Vec3 initial_stress;
-  Vec2 normal;    // reference
-  double weight;  // share in the flux
-
-  Vec2 traction(const Vec3& strain) const {
-    return pose.rotation.turn(traction_of(normal) * (initial_stress + elasticity * strain));
-  }
-  // Weighted traction under unit unknowns.
-  DofRows flux() const {
-    DofRows s = DofRows::Zero();
-    const Matrix23 own = (weight / pose.length) * traction_of(normal) * elasticity;
-    for (int k = 0; k < 3; ++k) s.col(3 + k) = pose.rotation.turn(own.col(k));
-    return s;
-  }
-  Vec3 strain_at(double seconds) const {
-    return pose.strain + seconds / pose.length * Vec3(pose.velocity[3], pose.velocity[4], pose.velocity[5]);
-  }
-};
-
-Side side_of(const Model& model, const Poses& poses, int block, const Vec2& normal, double weight) {
-  return {poses.blocks[block], elasticity(model.material(block)), model.shapes[block].initial_stress, normal, weight};
-}
-
-Vec2 between(const std::array<Vec2, 2>& ends, double at) { return (1 - at) * ends[0] + at * ends[1]; }
-
-DofColumn velocity_of(const Pose& pose) { return Eigen::Map<const DofColumn>(pose.velocity.data()); }
 
 // All blocks at both ends of the step, flown once for all their bonds.
 struct Ends {
@@ -63,13 +23,26 @@ struct Ends {
   }
 };
 
+double spin_of(const Model& model, const Joint& joint) {  // rad/s, of the pair
+  const auto spin = [&model](int block) { return model.blocks[block].velocity[2] / model.shapes[block].length; };
+  return (spin(joint.a) + spin(joint.b)) / 2;
+}
+
+// The jump `seconds` ahead, at its rate relative to axes that turn with the pair.
+Vec2 jump_ahead(const Joint& joint, const Pose& a, const Pose& b, double spin, double seconds, double along) {
+  const Vec2 in_a = between(joint.in_a, along), in_b = between(joint.in_b, along);
+  const Vec2 jump = b.displacement(in_b) - a.displacement(in_a);
+  if (seconds == 0) return jump;
+  return jump + seconds * (b.velocity_at(in_b) - a.velocity_at(in_a) - spin * perp(jump));
+}
+
 // The jump of a bond, weighed between both ends of the step.
 class Jump {
  public:
   Jump(const Model& model, const Ends& ends, const Joint& joint, const Scheme& scheme)
       : joint_(joint),
         scheme_(scheme),
-        spin_((spin_of(model, joint.a) + spin_of(model, joint.b)) / 2),
+        spin_(spin_of(model, joint)),
         start_{&ends.start[joint.a], &ends.start[joint.b]},
         end_{&ends.end[joint.a], &ends.end[joint.b]},
         from_start_(Rotation::of(spin_ * scheme.mid)),
@@ -82,15 +55,8 @@ class Jump {
   }
 
  private:
-  static double spin_of(const Model& model, int block) {
-    return model.blocks[block].velocity[2] / model.shapes[block].length;
-  }
   Vec2 ahead(const std::array<const Pose*, 2>& poses, double along) const {
-    const auto& [a, b] = poses;
-    const Vec2 in_a = between(joint_.in_a, along), in_b = between(joint_.in_b, along);
-    const Vec2 jump = b->displacement(in_b) - a->displacement(in_a);
-    if (scheme_.bond_ahead == 0) return jump;
-    return jump + scheme_.bond_ahead * (b->velocity_at(in_b) - a->velocity_at(in_a) - spin_ * perp(jump));
+    return jump_ahead(joint_, *poses[0], *poses[1], spin_, scheme_.bond_ahead, along);
   }
 
   const Joint& joint_;
@@ -170,8 +136,8 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
     if (joint.state != JointState::intact) continue;
-    const Side a = side_of(model, poses, joint.a, joint.normal, joint.weight_a);
-    const Side b = side_of(model, poses, joint.b, joint.normal, joint.weight_b);
+    const Side a = side_of(model, poses.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
+    const Side b = side_of(model, poses.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
     const bool exact = joint.kind == BondKind::exact;
     const Vec3 strain_a = a.strain_at(scheme.bond_v), strain_b = b.strain_at(scheme.bond_v);
     const DofRows zero = DofRows::Zero();
@@ -213,32 +179,28 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
   }
 }
 
-void JointTerms::add_ground(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const {
-  const double time = model.time + scheme.hold_time;
-  for (size_t e = 0; e < model.edge_fixities.size(); ++e) {
-    const EdgeFixity& edge = model.edge_fixities[e];
-    const Fixity& fixity = model.scene.fixities[edge.fixity];
-    const Side a = side_of(model, poses, edge.block, edge.normal, 1);
-    const Vec3 strain = a.strain_at(scheme.bond_v);
-    const DofRows s = a.flux();
-    const Vec2 flux = a.traction(strain);
-    const Vec2 moved = fixity_displacement(fixity, time);
-    const Mat2 held = Vec2(fixity.held[0], fixity.held[1]).asDiagonal();
-    DofMatrix k = DofMatrix::Zero();
-    DofColumn f = DofColumn::Zero();
-    for (double at : {0.5 - std::sqrt(3.0) / 6, 0.5 + std::sqrt(3.0) / 6}) {
-      const Vec2 in_block = between(edge.in_block, at), place = a.pose.place(in_block);
-      const DofRows t = a.pose.rows(place);
-      const Vec2 gap = held * (moved - a.pose.displacement(in_block) - scheme.bond_v * t * velocity_of(a.pose));
-      const double w = edge.length / 2;
-      f += w * (t.transpose() * (held * flux + ground_stiffness_[e] * gap) - s.transpose() * gap);
-      k += w * scheme.bond_d *
-           (ground_stiffness_[e] * t.transpose() * held * t - t.transpose() * held * s - s.transpose() * held * t);
+double JointTerms::energy(const Model& model, double ahead) const {
+  const Ends now(model, 0);
+  double sum = 0;
+  for (size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    if (joint.state != JointState::intact) continue;
+    const Pose &pose_a = now.start[joint.a], &pose_b = now.start[joint.b];
+    const Side a = side_of(model, pose_a, joint.a, joint.normal, joint.weight_a);
+    const Side b = side_of(model, pose_b, joint.b, joint.normal, joint.weight_b);
+    Vec2 flux(0, 0);
+    if (joint.kind == BondKind::exact)
+      flux = a.weight * a.traction(a.strain_at(ahead)) + b.weight * b.traction(b.strain_at(ahead));
+    const Vec2 n = (pose_a.rotation.turn(joint.normal) + pose_b.rotation.turn(joint.normal)).normalized();
+    const auto [kn, ks] = stiffness_[j];
+    const double spin = spin_of(model, joint);
+    for (const JointPoint& point : joint.points) {
+      const Vec2 gap = jump_ahead(joint, pose_a, pose_b, spin, ahead, point.at);
+      const double normal = gap.dot(n), shear = gap.dot(perp(n));
+      sum += point.weight * (flux.dot(gap) + (kn * normal * normal + ks * shear * shear) / 2);
     }
-    system.add_force(model.shapes[edge.block], edge.block, f);
-    system.add_rounding(edge.block, ground_stiffness_[e] * edge.length, a.pose.shift.norm());
-    if (model.shapes[edge.block].dofs) system.matrix.add(system.matrix.slot(edge.block, edge.block), false, k);
   }
+  return sum;
 }
 
 void JointTerms::store_tractions(Model& model) const {
@@ -246,8 +208,8 @@ void JointTerms::store_tractions(Model& model) const {
   now.predict(model, Scheme::equilibrium(0));
   for (size_t j = 0; j < model.joints.size(); ++j) {
     Joint& joint = model.joints[j];
-    const Side a = side_of(model, now, joint.a, joint.normal, joint.weight_a);
-    const Side b = side_of(model, now, joint.b, joint.normal, joint.weight_b);
+    const Side a = side_of(model, now.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
+    const Side b = side_of(model, now.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
     const Vec2 n = (a.pose.rotation.turn(joint.normal) + b.pose.rotation.turn(joint.normal)).normalized();
     const bool intact = joint.state == JointState::intact;
     const Vec2 flux = intact && joint.kind == BondKind::exact

@@ -1,5 +1,5 @@
 #pragma once
-// Bonds: intact joints, and edges bonded to the ground.
+// Bonds: intact joints. What holds edges to the ground is in supports.h.
 //
 // exact: Nitsche's method (Nitsche 1971; in elasticity Hansbo & Larson 2002). With g the jump of place across
 // the joint and {σ}n the weighted mean of the two blocks' tractions, the bond's energy is
@@ -20,16 +20,19 @@ class JointTerms {
   void prepare(const Model& model);  // stiffnesses; again when Model::revision has changed
   void find_slots(const Model& model, const BlockMatrix& matrix);
   void add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const;
-  void add_ground(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const;
   // Tractions, openings and slips of the joints' points in the model's present state.
   void store_tractions(Model& model) const;
 
+  // J/m: the bonds' potential `ahead` seconds along the present velocities, each in axes that turn with its pair.
+  double energy(const Model& model, double ahead) const;
+
   // N/m3: {normal, shear} stiffness per area of joint `j`; k twice for an exact bond.
   std::array<double, 2> stiffness(int j) const { return stiffness_[j]; }
+  const std::vector<double>& ground_stiffness() const { return ground_stiffness_; }  // N/m3, per EdgeFixity
 
  private:
   std::vector<std::array<double, 2>> stiffness_;
-  std::vector<double> ground_stiffness_;  // N/m3, per EdgeFixity
+  std::vector<double> ground_stiffness_;
   struct Slots {
     BlockMatrix::Slot aa, bb, ab;
   };

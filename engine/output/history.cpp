@@ -8,6 +8,7 @@
 
 #include "model/fields.h"
 #include "output/text.h"
+#include "step/energy_terms.h"
 
 namespace talus {
 
@@ -15,8 +16,10 @@ namespace {
 
 constexpr std::array probe_columns = {"ux", "uy", "vx", "vy", "sxx", "syy", "sxy"};
 
-std::string header(const Model& model) {
-  std::string line = "time [s],step,dt [s],kinetic_energy [J/m],strain_energy [J/m],closed_contacts,max_residual";
+std::string header(const Model& model, const Plan& plan) {
+  std::string line = "time [s],step,dt [s],";
+  for (const EnergyTerm* term : energy_terms(plan)) line += term->column + " [J/m],";
+  line += "closed_contacts,max_residual";
   for (const ProbePoint& probe : model.probes)
     for (const char* column : probe_columns) {
       const Field& field = *find_field(probe_fields(), column);
@@ -29,9 +32,9 @@ std::string header(const Model& model) {
 
 }  // namespace
 
-HistoryTable::HistoryTable(const std::string& path, const Model& model)
+HistoryTable::HistoryTable(const std::string& path, const Model& model, const Plan& plan)
     : path_(path), file_(path, std::ios::binary | std::ios::trunc) {
-  write(header(model));
+  write(header(model, plan));
 }
 
 void HistoryTable::write(const std::string& line) {
@@ -45,9 +48,10 @@ void HistoryTable::add(Simulation& simulation, double residual, const std::vecto
   const Model& model = simulation.model;
   const FieldContext context = {model, model.probes.empty() ? nullptr : simulation.recovery()};
   std::string line = shortest(model.time) + "," + std::to_string(simulation.totals.steps) + "," +
-                     shortest(simulation.last.dt) + "," + shortest(simulation.kinetic_energy()) + "," +
-                     shortest(simulation.strain_energy()) + "," + std::to_string(simulation.last.closed_contacts) +
-                     "," + shortest(residual);
+                     shortest(simulation.last.dt) + ",";
+  const Energies energies = simulation.energies();
+  for (const EnergyTerm* term : energy_terms(simulation.plan)) line += shortest(energies.*term->value) + ",";
+  line += std::to_string(simulation.last.closed_contacts) + "," + shortest(residual);
   for (int probe = 0; probe < static_cast<int>(model.probes.size()); ++probe)
     for (const char* column : probe_columns) {
       double value = 0;

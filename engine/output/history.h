@@ -12,7 +12,7 @@ namespace talus {
 class HistoryTable {
  public:
   // Begins the file with its header. Columns stay as they are here for the whole run.
-  HistoryTable(const std::string& path, const Model& model);
+  HistoryTable(const std::string& path, const Model& model, const Plan& plan);
   // `residual`: largest since the row before. The row is on disk when this returns.
   void add(Simulation& simulation, double residual, const std::vector<UserArray>& arrays);
 

@@ -94,7 +94,7 @@ RunOutput::RunOutput(Simulation& simulation, const std::string& command_line) {
   parts_ = std::make_unique<Parts>();
   parts_->dir = scene.output.dir;
   parts_->command_line = command_line;
-  parts_->history.emplace(parts_->dir + "/history.csv", simulation.model);
+  parts_->history.emplace(parts_->dir + "/history.csv", simulation.model, simulation.plan);
   if (!scene.output.vtk) return;
   parts_->blocks.emplace(parts_->dir, "blocks");
   if (simulation.plan.bonds || simulation.plan.contacts) parts_->joints.emplace(parts_->dir, "joints");

@@ -44,6 +44,13 @@ Plan make_plan(const Model& model) {
   plan.point_loads = !model.point_forces.empty();
   plan.edge_loads = !model.edge_forces.empty();
   plan.body_forces = scene.gravity != Vec2::Zero() || std::any_of(scene.regions.begin(), scene.regions.end(), any_body_force);
+  plan.gravity = scene.gravity != Vec2::Zero();
+  plan.loads = plan.point_loads || plan.edge_loads ||
+               std::any_of(scene.regions.begin(), scene.regions.end(), any_body_force);
+  plan.moving_supports = std::any_of(scene.fixities.begin(), scene.fixities.end(), [](const Fixity& fixity) {
+    return fixity.motion != Fixity::none || fixity.spin != 0;
+  });
+  plan.damping = plan.dynamic && scene.numerics.integrator == Integrator::newmark && scene.numerics.dynamic_parameter < 1;
   plan.held_blocks = std::any_of(model.shapes.begin(), model.shapes.end(), [](const auto& s) { return s.dofs == 0; });
   plan.recovery = scene.numerics.recovery && plan.bonds;
 

@@ -7,6 +7,7 @@
 #include "script/nearest.h"
 #include "script/session.h"
 #include "script/table_view.h"
+#include "step/energy_terms.h"
 
 namespace talus {
 namespace {
@@ -50,9 +51,11 @@ void push_status(lua_State* L, const StepReport& report) {
 }
 
 void push_energy(lua_State* L, Simulation& simulation) {
-  lua_createtable(L, 0, 2);
-  set_number(L, "kinetic", simulation.kinetic_energy());
-  set_number(L, "strain", simulation.strain_energy());
+  const Energies energies = simulation.energies();
+  const auto terms = energy_terms(simulation.plan);
+  lua_createtable(L, 0, int(terms.size()) + 1);
+  for (const EnergyTerm* term : terms) set_number(L, term->name.c_str(), energies.*term->value);
+  set_number(L, "scale", energies.scale);
 }
 
 void push_totals(lua_State* L, const Simulation& simulation) {

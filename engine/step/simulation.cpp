@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "equations/block_terms.h"
 #include "equations/recovery.h"
 #include "scene/build.h"
 #include "step/part_timer.h"
@@ -21,7 +20,8 @@ Simulation::Simulation(Scene scene) {
   const double start = cpu_seconds();
   model = build(std::move(scene));
   plan = make_plan(model);
-  stepper_ = std::make_unique<Stepper>(model, plan, totals);
+  stepper_ = std::make_unique<Stepper>(model, plan, totals, ledger);
+  stepper_->begin_ledger();
   totals.seconds("build") = cpu_seconds() - start;
 }
 
@@ -33,8 +33,9 @@ StepReport Simulation::step() {
   if (plan.dynamic) {
     last = stepper_->dynamic_step();
   } else {
+    const double from = model.time;
     model.time = time.t_end * double(totals.steps + 1) / time.steps;
-    last = stepper_->equilibrium(false);
+    last = stepper_->load_step(from, totals.steps == 0);
   }
   ++totals.steps;
   totals.largest_residual = std::max(totals.largest_residual, last.residual);
@@ -47,7 +48,9 @@ StepReport Simulation::step() {
 }
 
 void Simulation::begin() {
-  if (!begun_ && plan.dynamic && model.scene.time.settled_start) settle();
+  if (begun_) return;
+  if (plan.dynamic && model.scene.time.settled_start) settle();
+  stepper_->begin_ledger();
   begun_ = true;
 }
 
@@ -64,24 +67,7 @@ bool Simulation::finished() const {
   return plan.dynamic ? model.time >= time.t_end : totals.steps >= time.steps;
 }
 
-double Simulation::kinetic_energy() const {
-  double sum = 0;
-  for (size_t b = 0; b < model.blocks.size(); ++b) {
-    const auto v = Eigen::Map<const DofColumn>(model.blocks[b].velocity.data());
-    sum += v.dot(mass_matrix(model, int(b)) * v) / 2;
-  }
-  return sum;
-}
-
-double Simulation::strain_energy() const {
-  double sum = 0;
-  for (size_t b = 0; b < model.blocks.size(); ++b) {
-    const Vec3& e = model.blocks[b].strain;
-    const Vec3 stress = model.shapes[b].initial_stress + elasticity(model.material(int(b))) * e / 2;
-    sum += model.shapes[b].area * e.dot(stress);
-  }
-  return sum;
-}
+Energies Simulation::energies() const { return stepper_->energies(); }
 
 const Recovery* Simulation::recovery() {
   if (!plan.recovery) return nullptr;

@@ -7,6 +7,7 @@
 
 #include "model/model.h"
 #include "scene/plan.h"
+#include "step/ledger.h"
 
 namespace talus {
 
@@ -52,8 +53,8 @@ class Simulation {
   RunTotals totals;
   StepReport last;
   std::vector<std::string> notes;  // what the user should know of the run; shown and kept in run.json
-  double kinetic_energy() const;  // J per m thickness
-  double strain_energy() const;
+  Ledger ledger;                   // of energy, since the start of the run
+  Energies energies() const;
   // Smoothed stress, brought up to date on first use after a step. Null when numerics.recovery is off.
   const Recovery* recovery();
 

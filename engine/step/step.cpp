@@ -29,16 +29,20 @@ std::string block_name(const Model& model, int block) {
 
 }  // namespace
 
-Stepper::Stepper(Model& model, const Plan& plan, RunTotals& totals)
-    : model_(model), plan_(plan), totals_(totals), step_size_(model, plan.contacts) {}
+Stepper::Stepper(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledger)
+    : model_(model), plan_(plan), totals_(totals), ledger_(ledger), step_size_(model, plan.contacts) {}
+
+Scheme Stepper::scheme(double dt) const {
+  const Numerics& numerics = model_.scene.numerics;
+  return numerics.integrator == Integrator::theta ? Scheme::theta(dt, numerics.theta) : Scheme::newmark(dt);
+}
 
 StepReport Stepper::dynamic_step() {
   const Numerics& numerics = model_.scene.numerics;
   StepReport report;
   for (double dt = step_size_.next(model_.time);; dt = step_size_.next(model_.time), ++report.cuts) {
     // 1. Loads, fixities and prescribed motions belong to this step's times; see Scheme.
-    const Scheme scheme = numerics.integrator == Integrator::theta ? Scheme::theta(dt, numerics.theta)
-                                                                    : Scheme::newmark(dt);
+    const Scheme scheme = this->scheme(dt);
     if (plan_.held_blocks) move_held_blocks(model_, dt);
 
     // 2. Candidate pairs of vertices and edges, with the state of those that go on.
@@ -68,16 +72,26 @@ StepReport Stepper::dynamic_step() {
     }
 
     // 5. The step is accepted: geometry, velocities, contact and joint states.
-    accept(std::move(moved));
-    if (numerics.integrator == Integrator::newmark)
+    accept(std::move(moved), scheme, d);
+    if (numerics.integrator == Integrator::newmark && numerics.dynamic_parameter < 1) {
+      ledger_.damping_work += (1 - numerics.dynamic_parameter * numerics.dynamic_parameter) * kinetic_energy(model_);
       for (BlockState& state : model_.blocks)
         for (double& v : state.velocity) v *= numerics.dynamic_parameter;
+    }
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
     step_size_.accepted(dt, report.displacement, result.iterations);
     report.dt = dt;
     return report;
   }
+}
+
+StepReport Stepper::load_step(double from, bool first) {
+  prepare_bonds();
+  const LoadStepBooking booking(model_, supports_, from, first);
+  const StepReport report = equilibrium(false);
+  booking.book(model_, supports_, ledger_);
+  return report;
 }
 
 StepReport Stepper::equilibrium(bool stick) {
@@ -148,17 +162,21 @@ bool Stepper::find_equilibrium(bool stick, int iterations, Equilibrium& search) 
     }
     hold = std::max(least, hold / 4);
     report.displacement = std::max(report.displacement, displacement);
-    accept(std::move(moved));
+    accept(std::move(moved), scheme, d);
   }
   return false;
 }
 
+void Stepper::prepare_bonds() {
+  if (revision_ == model_.revision) return;
+  revision_ = model_.revision;
+  if (plan_.bonds || plan_.fixities) joints_.prepare(model_);
+  if (plan_.fixities) supports_.prepare(model_, joints_.ground_stiffness());
+}
+
 void Stepper::assemble(const Scheme& scheme, bool stick) {
   PartTimer timer(totals_, "assembly");
-  if (revision_ != model_.revision) {
-    if (plan_.bonds || plan_.fixities) joints_.prepare(model_);
-    revision_ = model_.revision;
-  }
+  prepare_bonds();
   std::vector<std::pair<int, int>> pairs;
   for (const Joint& joint : model_.joints) pairs.push_back({joint.a, joint.b});
   for (const Contact& contact : model_.contacts) pairs.push_back({contact.i, contact.j});
@@ -172,8 +190,8 @@ void Stepper::assemble(const Scheme& scheme, bool stick) {
   poses_.predict(model_, scheme);
   add_block_terms(model_, poses_, scheme, system_);
   if (plan_.bonds) joints_.add(model_, poses_, scheme, system_);
-  if (plan_.fixities) joints_.add_ground(model_, poses_, scheme, system_);
-  add_boundary_terms(model_, poses_, scheme, system_);
+  if (plan_.fixities) supports_.add(model_, poses_, scheme, system_);
+  add_loads(model_, poses_, scheme, system_);
   if (plan_.contacts) {
     contacts_.linearise(model_, poses_, scheme, stick);
     contacts_.find_slots(system_.matrix, model_);
@@ -193,12 +211,51 @@ OpenCloseResult Stepper::solve(bool smoothed, Vector& d) {
   return result;
 }
 
-void Stepper::accept(std::vector<BlockState> moved) {
+void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d) {
   PartTimer timer(totals_, "update");
+  const bool motion = scheme.step_v > 0;
+  const ContactBooking booking(model_, ledger_.ahead);
+  if (motion) book_motion({model_, poses_, system_, supports_, scheme, d}, ledger_);
   model_.blocks = std::move(moved);
   model_.place_vertices();
-  if (plan_.contacts) open_close_.store(model_, contacts_);
+  if (plan_.contacts) {
+    open_close_.store(model_, contacts_);
+    if (motion)
+      booking.book(model_, contacts_.rows(), scheme, d, ledger_);
+    else
+      booking.book_friction(model_, ledger_);
+  }
+  ledger_.ahead = scheme.bond_ahead;
   if (plan_.bonds) joints_.store_tractions(model_);
+}
+
+void Stepper::begin_ledger() {
+  ledger_ = {};
+  if (plan_.dynamic) ledger_.ahead = scheme(step_size_.next(model_.time)).bond_ahead;
+  const Energies now = energies();
+  ledger_.start_energy = now.total;
+  ledger_.start_shift = -now.numerical;
+}
+
+Energies Stepper::energies() {
+  prepare_bonds();
+  const double ahead = ledger_.ahead, gravity_ahead = gravity_energy_ahead(model_, ahead);
+  Energies e;
+  e.kinetic = plan_.dynamic ? kinetic_energy(model_) : 0;
+  e.strain = strain_energy(model_, joints_, supports_, ahead);
+  e.contact = contact_energy(model_);
+  e.gravity = gravity_ahead - ledger_.gravity_work;
+  e.total = e.kinetic + e.strain + e.contact + e.gravity;
+  e.external = ledger_.external_work;
+  e.boundary = ledger_.boundary_work;
+  e.friction = ledger_.friction_work;
+  e.damping = ledger_.damping_work;
+  double shift = gravity_ahead;  // at y less at X: part of the integrator's loss that needs no booking
+  if (ahead != 0) shift += e.strain - strain_energy(model_, joints_, supports_, 0);
+  e.numerical = ledger_.numerical_flow - (shift - ledger_.start_shift);
+  e.unexplained = e.total - ledger_.start_energy - e.external - e.boundary + e.friction + e.damping + e.numerical;
+  e.scale = std::max(ledger_.start_energy, ledger_.largest_work);
+  return e;
 }
 
 void Stepper::give_up(const OpenCloseResult& result, double dt) const {

@@ -8,6 +8,8 @@
 #include "equations/linear_solver.h"
 #include "scene/plan.h"
 #include "step/open_close.h"
+#include "step/energies.h"
+#include "step/ledger.h"
 #include "step/simulation.h"
 #include "step/time_control.h"
 
@@ -15,17 +17,23 @@ namespace talus {
 
 class Stepper {
  public:
-  Stepper(Model& model, const Plan& plan, RunTotals& totals);
+  Stepper(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledger);
 
   // One accepted step from model.time. Throws RunError when none can be accepted at the least time step.
   StepReport dynamic_step();
-  // Equilibrium under the loads of model.time. `stick`: contacts do not slide (settled start).
-  StepReport equilibrium(bool stick);
+  // Equilibrium under the loads of model.time; those of the step before were of `from`, `first`: there were none.
+  StepReport load_step(double from, bool first);
   // The start of a settled run: equilibrium with friction where there is one, else that in which nothing slides.
   // What is to be said to the user where there is neither, and nothing has moved.
   std::string settle();
 
+  void begin_ledger();  // the energies since the present state
+  Energies energies();
+
  private:
+  Scheme scheme(double dt) const;
+  void prepare_bonds();
+  StepReport equilibrium(bool stick);
   struct Equilibrium {
     StepReport report;
     OpenCloseResult last;
@@ -34,16 +42,18 @@ class Stepper {
   bool find_equilibrium(bool stick, int iterations, Equilibrium& search);
   OpenCloseResult solve(bool smoothed, Vector& d);
   void assemble(const Scheme& scheme, bool stick);
-  void accept(std::vector<BlockState> moved);
+  void accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d);
   [[noreturn]] void give_up(const OpenCloseResult& result, double dt) const;
   int culprit(const Equilibrium& search) const;  // the block that is named when there is no equilibrium
 
   Model& model_;
   const Plan& plan_;
   RunTotals& totals_;
+  Ledger& ledger_;
   StepSize step_size_;
   ContactSearch search_;
   JointTerms joints_;
+  Supports supports_;
   ContactTerms contacts_;
   Poses poses_;
   System system_;

@@ -4,20 +4,6 @@
 
 namespace talus {
 
-namespace {
-
-// ρ/l² ∫ |x|² over the block strained by e: its moment of inertia in units of the rotation unknown.
-double inertia(const Model& model, int block, const Vec3& e) {
-  const BlockShape& shape = model.shapes[block];
-  Mat2 stretch, moments;
-  stretch << 1 + e[0], e[2] / 2, e[2] / 2, 1 + e[1];
-  moments << shape.xx, shape.xy, shape.xy, shape.yy;
-  return model.material(block).density / (shape.length * shape.length) *
-         (stretch * moments * stretch.transpose()).trace();
-}
-
-}  // namespace
-
 std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, const Vector& d) {
   std::vector<BlockState> moved = model.blocks;
   for (size_t b = 0; b < moved.size(); ++b) {
@@ -37,8 +23,8 @@ std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, c
     state.strain += Vec3(move[3], move[4], move[5]) / shape.length;
     if (shape.dofs > 3 && scheme.step_v > 0) {
       // Solved with the reference moment I; the spin momentum I(e) ω is what is kept.
-      const double i = inertia(model, int(b), Vec3::Zero()), before = inertia(model, int(b), strain0),
-                   after = inertia(model, int(b), state.strain);
+      const double i = moment_of_inertia(model, int(b), Vec3::Zero()), before = moment_of_inertia(model, int(b), strain0),
+                   after = moment_of_inertia(model, int(b), state.strain);
       state.velocity[2] = (before * v0[2] + i * (state.velocity[2] - v0[2])) / after;
     }
   }

@@ -16,6 +16,7 @@ struct Assembled {
   Poses poses;
   System system;
   JointTerms joints;
+  Supports supports;
 
   explicit Assembled(const Model& model, const Scheme& scheme = Scheme::equilibrium(0), bool bonds = true) {
     std::vector<std::pair<int, int>> pairs;
@@ -30,9 +31,10 @@ struct Assembled {
     add_block_terms(model, poses, scheme, system);
     if (bonds) {
       joints.add(model, poses, scheme, system);
-      joints.add_ground(model, poses, scheme, system);
+      supports.prepare(model, joints.ground_stiffness());
+      supports.add(model, poses, scheme, system);
     }
-    add_boundary_terms(model, poses, scheme, system);
+    add_loads(model, poses, scheme, system);
   }
   Dense dense() const {
     const int n = system.matrix.dimension();

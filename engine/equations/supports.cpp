@@ -1,0 +1,138 @@
+#include "equations/supports.h"
+
+#include <cmath>
+
+#include "equations/side.h"
+
+namespace talus {
+
+namespace {
+
+Mat2 held_directions(const Fixity& fixity) { return Vec2(fixity.held[0], fixity.held[1]).asDiagonal(); }
+
+// A support at the configuration of linearisation, under the unknowns.
+struct Held {
+  DofRows displacement, flux;  // under unit unknowns, in the held directions
+  Vec2 gap, traction;          // m, Pa, at d = 0
+};
+
+Held held_at(const Model& model, const SupportPoint& point, const Pose& pose, const Scheme& scheme) {
+  const Fixity& fixity = model.scene.fixities[point.fixity];
+  const Mat2 held = held_directions(fixity);
+  const Side side = side_of(model, pose, point.block, point.normal, 1);
+  const Pose start = flown(model, point.block, 0), end = flown(model, point.block, scheme.dt);
+  const auto ahead = [&](const Pose& p) -> Vec2 {
+    return p.displacement(point.in_block) + scheme.bond_ahead * p.velocity_at(point.in_block);
+  };
+  const Vec2 displacement = (1 - scheme.bond_end) * ahead(start) + scheme.bond_end * ahead(end);
+  const Vec2 wanted = fixity_displacement(fixity, model.time + scheme.hold_time);
+  Held h;
+  h.displacement = held * pose.rows(pose.place(point.in_block));
+  h.flux = DofRows::Zero();
+  h.traction = Vec2::Zero();
+  if (point.normal != Vec2::Zero()) {
+    h.flux = held * side.flux();
+    h.traction = held * side.traction(side.strain_at(scheme.bond_v));
+  }
+  h.gap = held * (wanted - displacement);
+  return h;
+}
+
+DofColumn of_block(const BlockShape& shape, const Vector& x) {
+  DofColumn c = DofColumn::Zero();
+  for (int k = 0; k < shape.dofs; ++k) c[k] = x[shape.dof_begin + k];
+  return c;
+}
+
+}  // namespace
+
+Vec2 fixity_displacement(const Fixity& fixity, double t) {
+  if (fixity.motion == Fixity::none || t <= 0) return Vec2::Zero();
+  if (fixity.motion == Fixity::displacement) return {fixity.value[0].at(t), fixity.value[1].at(t)};
+  return {fixity.value[0].integral(t), fixity.value[1].integral(t)};
+}
+
+void Supports::prepare(const Model& model, const std::vector<double>& edge_stiffness) {
+  points_.clear();
+  for (const PointFixity& p : model.point_fixities)
+    if (model.shapes[p.block].dofs > 0)
+      points_.push_back({p.fixity, p.block, p.in_block, Vec2::Zero(), 1, p.stiffness});
+  for (size_t e = 0; e < model.edge_fixities.size(); ++e) {
+    const EdgeFixity& edge = model.edge_fixities[e];
+    if (model.shapes[edge.block].dofs == 0) continue;
+    for (double at : {0.5 - std::sqrt(3.0) / 6, 0.5 + std::sqrt(3.0) / 6})
+      points_.push_back({edge.fixity, edge.block, between(edge.in_block, at), edge.normal, edge.length / 2,
+                         edge_stiffness[e]});
+  }
+}
+
+void Supports::add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const {
+  for (const SupportPoint& point : points_) {
+    const Pose& pose = poses.blocks[point.block];
+    const auto [t, s, gap, traction] = held_at(model, point, pose, scheme);
+    const double w = point.weight, k = point.stiffness;
+    system.add_force(model.shapes[point.block], point.block,
+                     w * (t.transpose() * (traction + k * gap) - s.transpose() * gap));
+    if (point.normal != Vec2::Zero()) system.add_rounding(point.block, k * w, pose.shift.norm());
+    system.matrix.add(system.matrix.slot(point.block, point.block), false,
+                      DofMatrix(w * scheme.bond_d *
+                                (k * t.transpose() * t - t.transpose() * s - s.transpose() * t)));
+  }
+}
+
+double Supports::energy(const Model& model, double ahead) const {
+  double sum = 0;
+  for (const SupportPoint& point : points_) {
+    const Fixity& fixity = model.scene.fixities[point.fixity];
+    const Pose pose = flown(model, point.block, 0);
+    const Side side = side_of(model, pose, point.block, point.normal, 1);
+    const Vec2 gap = held_directions(fixity) *
+                     (fixity_displacement(fixity, model.time + ahead) - pose.displacement(point.in_block) -
+                      ahead * pose.velocity_at(point.in_block));
+    sum += point.weight * (side.traction(side.strain_at(ahead)) + point.stiffness / 2 * gap).dot(gap);
+  }
+  return sum;
+}
+
+Supports::Work Supports::work(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
+                              double ahead0, double ahead1) const {
+  Work sum;
+  for (const SupportPoint& point : points_) {
+    const Fixity& fixity = model.scene.fixities[point.fixity];
+    if (fixity.motion == Fixity::none) continue;
+    const auto [t, s, gap, traction] = held_at(model, point, poses.blocks[point.block], scheme);
+    const Mat2 held = held_directions(fixity);
+    const auto wanted = [&](double seconds) -> Vec2 {
+      return held * fixity_displacement(fixity, model.time + seconds);
+    };
+    const BlockShape& shape = model.shapes[point.block];
+    const DofColumn own = of_block(shape, d), v0 = Eigen::Map<const DofColumn>(model.blocks[point.block].velocity.data());
+    const Vec2 force = point.weight * (traction + scheme.bond_d * (s * own) +
+                                       point.stiffness * (gap - scheme.bond_d * (t * own)));
+    const Vec2 moved = wanted(scheme.dt) - wanted(0), moved_y = wanted(scheme.dt + ahead1) - wanted(ahead0);
+    sum.work += force.dot(moved_y);
+    // The loss of step/ledger.h, B(ΔX, w), is of the gaps: what it says for supports at rest lacks these parts.
+    const DofColumn step = scheme.step_v * v0 + scheme.move_d * own;
+    const DofColumn w = scheme.bond_v * v0 + (scheme.bond_d - scheme.move_d / 2) * own;
+    const Vec2 moved_w = wanted(scheme.hold_time) - (wanted(0) + wanted(scheme.dt)) / 2;
+    const Vec2 jump = moved - t * step, jump_w = moved_w - t * w;
+    sum.numerical += force.dot(moved_y - moved) +
+                     point.weight * ((s * step).dot(moved_w) + (s * w).dot(moved) +
+                                     point.stiffness * (jump.dot(jump_w) - (t * step).dot(t * w)));
+  }
+  return sum;
+}
+
+std::vector<Vec2> Supports::reactions(const Model& model, double t) const {
+  std::vector<Vec2> sum(model.scene.fixities.size(), Vec2::Zero());
+  for (const SupportPoint& point : points_) {
+    const Fixity& fixity = model.scene.fixities[point.fixity];
+    const Pose pose = flown(model, point.block, 0);
+    const Vec2 gap = fixity_displacement(fixity, t) - pose.displacement(point.in_block);
+    const Vec2 traction = side_of(model, pose, point.block, point.normal, 1).traction(pose.strain);
+    sum[point.fixity] += point.weight * held_directions(fixity) * (traction + point.stiffness * gap);
+  }
+  return sum;
+}
+
+}  // namespace talus

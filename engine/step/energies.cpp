@@ -1,0 +1,53 @@
+#include "step/energies.h"
+
+#include "equations/block_terms.h"
+
+namespace talus {
+
+double kinetic_energy(const Model& model) {
+  double sum = 0;
+  for (size_t b = 0; b < model.blocks.size(); ++b) {
+    if (model.shapes[b].dofs == 0) continue;
+    const BlockState& state = model.blocks[b];
+    const auto v = Eigen::Map<const DofColumn>(state.velocity.data());
+    sum += v.dot(mass_matrix(model, int(b)) * v) / 2;
+    if (model.shapes[b].dofs > 3)
+      sum += (moment_of_inertia(model, int(b), state.strain) - moment_of_inertia(model, int(b), Vec3::Zero())) / 2 *
+             v[2] * v[2];
+  }
+  return sum;
+}
+
+double strain_energy(const Model& model, const JointTerms& joints, const Supports& supports, double ahead) {
+  std::vector<Mat3> elasticity_of;
+  for (const Material& material : model.scene.materials) elasticity_of.push_back(elasticity(material));
+  double sum = 0;
+  for (size_t b = 0; b < model.blocks.size(); ++b) {
+    const BlockShape& shape = model.shapes[b];
+    if (shape.dofs <= 3) continue;
+    const auto& v = model.blocks[b].velocity;
+    const Vec3 e = model.blocks[b].strain + ahead / shape.length * Vec3(v[3], v[4], v[5]);
+    sum += shape.area * e.dot(shape.initial_stress + elasticity_of[shape.material] * e / 2);
+  }
+  return sum + (model.joints.empty() ? 0 : joints.energy(model, ahead)) + supports.energy(model, ahead);
+}
+
+double contact_energy(const Model& model) {
+  double sum = 0;
+  for (const Contact& c : model.contacts)
+    sum += c.normal_force * c.normal_force / (2 * c.normal_stiffness) +
+           c.shear_force * c.shear_force / (2 * c.shear_stiffness);
+  return sum;
+}
+
+double gravity_energy_ahead(const Model& model, double ahead) {
+  double sum = 0;
+  for (size_t b = 0; b < model.blocks.size(); ++b)
+    if (model.shapes[b].dofs > 0) {
+      const auto& v = model.blocks[b].velocity;
+      sum -= ahead * model.mass(int(b)) * model.scene.gravity.dot(Vec2(v[0], v[1]));
+    }
+  return sum;
+}
+
+}  // namespace talus

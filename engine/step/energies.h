@@ -1,0 +1,20 @@
+#pragma once
+// The energies of the model's present state, J per metre of thickness. `ahead`: seconds along the present velocities,
+// to the places y at which the integrator's forces act (docs/theory.md, "Energy").
+#include "equations/joint_terms.h"
+#include "equations/supports.h"
+
+namespace talus {
+
+// ½ vᵀM v of what can move, spin with the moment of inertia of the strained block: the one whose ½Iω² is kept when
+// angular momentum and the work of the centrifugal forces are (step/update.cpp). Held blocks are not counted.
+double kinetic_energy(const Model& model);
+
+// A (½ ε·Dε + σ0·ε) of the blocks, and the potentials of bonds and supports.
+double strain_energy(const Model& model, const JointTerms& joints, const Supports& supports, double ahead);
+
+double contact_energy(const Model& model);  // N²/2kn + T²/2ks
+
+double gravity_energy_ahead(const Model& model, double ahead);  // of the way from X to y: -m g·v `ahead`
+
+}  // namespace talus

@@ -1,0 +1,194 @@
+#include "step/ledger.h"
+
+#include <cmath>
+
+#include "equations/block_terms.h"
+#include "equations/boundary_terms.h"
+
+namespace talus {
+
+namespace {
+
+DofColumn velocity_of(const Model& model, int block) {
+  return Eigen::Map<const DofColumn>(model.blocks[block].velocity.data());
+}
+
+DofColumn solution_of(const Model& model, int block, const Vector& d) {
+  DofColumn own = DofColumn::Zero();
+  for (int k = 0; k < model.shapes[block].dofs; ++k) own[k] = d[model.shapes[block].dof_begin + k];
+  return own;
+}
+
+// Loss of the linear forces along X. They are those of ȳ = (1-β) y0 + β y1; with X̄ = (X0 + X1)/2 and w = ȳ - X̄
+//   -f·ΔX = U(X1) - U(X0) + ΔX·K w.
+// K ΔX is nothing where a body turns as one, which the classic (θ-½) Δv·MΔv is not. K is what the system's matrix has
+// beside inertia.
+double elastic_loss(const BookedStep& s) {
+  const Model& model = s.model;
+  Vector step = Vector::Zero(model.dofs), w = step, kw = step;
+  double inertial = 0;
+  for (int b = 0; b < int(model.blocks.size()); ++b) {
+    const BlockShape& shape = model.shapes[b];
+    if (shape.dofs == 0) continue;
+    const DofColumn v0 = velocity_of(model, b), d = solution_of(model, b, s.d);
+    const DofColumn own = s.scheme.step_v * v0 + s.scheme.move_d * d;
+    const DofColumn own_w = s.scheme.bond_v * v0 + (s.scheme.bond_d - s.scheme.move_d / 2) * d;
+    step.segment(shape.dof_begin, shape.dofs) = own.head(shape.dofs);
+    w.segment(shape.dof_begin, shape.dofs) = own_w.head(shape.dofs);
+    inertial += own.dot(mass_matrix(model, b) * own_w);
+  }
+  s.system.matrix.multiply(w, kw);
+  return (step.dot(kw) - s.scheme.inertia * inertial) / s.scheme.bond_d;
+}
+
+struct GapRate {
+  double gap, rate;  // m, m/s
+};
+GapRate gap_of(const Model& model, const Contact& c) {
+  const Vec2 from = model.vertex[c.global_edge], at = model.vertex[c.global_vertex];
+  const Vec2 to = model.vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)];
+  const Vec2 normal = -perp(to - from).normalized();
+  const double gap = normal.dot(at - from);
+  return {gap, normal.dot(model.velocity_at(c.i, at) - model.velocity_at(c.j, at - gap * normal))};
+}
+
+double squared(double x) { return x * x; }
+
+void keep_largest(Ledger& ledger) {
+  ledger.largest_work = std::max(
+      ledger.largest_work, std::abs(ledger.gravity_work + ledger.external_work + ledger.boundary_work));
+}
+
+}  // namespace
+
+void book_motion(const BookedStep& s, Ledger& ledger) {
+  const Model& model = s.model;
+  const double time = model.time + s.scheme.load_time, before = ledger.ahead, after = s.scheme.bond_ahead;
+  // A load that puts `force` on a block: its work along y, and what of it the way from X to y takes or gives.
+  const auto load = [&](int block, const DofColumn& force) {
+    const DofColumn v0 = velocity_of(model, block), d = solution_of(model, block, s.d);
+    const double along_x = force.dot(s.scheme.step_v * v0 + s.scheme.move_d * d);
+    const double shift = force.dot(after * (v0 + s.scheme.velocity_d * d) - before * v0);
+    ledger.external_work += along_x + shift;
+    ledger.numerical_flow += shift;
+  };
+  each_load(model, s.poses, time, [&](int block, const Vec2& at, const Vec2& force) {
+    if (model.shapes[block].dofs > 0) load(block, s.poses.blocks[block].rows(at).transpose() * force);
+  });
+  for (int b = 0; b < int(model.blocks.size()); ++b) {
+    const BlockShape& shape = model.shapes[b];
+    if (shape.dofs == 0) continue;
+    const DofColumn step = s.scheme.step_v * velocity_of(model, b) + s.scheme.move_d * solution_of(model, b, s.d);
+    ledger.gravity_work += model.mass(b) * model.scene.gravity.dot(step.head<2>());
+    const auto& own = model.scene.regions[shape.region].body_force;
+    if (!own[0].given() && !own[1].given()) continue;
+    DofColumn force = DofColumn::Zero();
+    force.head<2>() = shape.area * body_force(model, shape.region, 0, time);
+    load(b, force);
+  }
+  const Supports::Work moved = s.supports.work(model, s.poses, s.scheme, s.d, before, after);
+  ledger.boundary_work += moved.work;
+  ledger.numerical_flow += elastic_loss(s) + moved.numerical;
+  keep_largest(ledger);
+}
+
+ContactBooking::ContactBooking(const Model& model, double ahead0) {
+  for (const Contact& c : model.contacts) {
+    const auto [gap, rate] = gap_of(model, c);
+    before_.push_back({gap, std::max(0.0, -(gap + c.offset + ahead0 * rate)), c.offset, c.stretch, c.slip});
+  }
+}
+
+// Loss of a contact along X: -N Δg less the spring's gain at y. For a gap that is linear in y this is the convexity gap
+// N (p1 - p0) - ½ kn (p1² - p0²) >= 0 and N·ahead·Δġ; gaps are measured on the blocks as they lie, so that
+// one on which a block pivots, whose gap does not change, loses nothing. In shear likewise ½ ks (Δstretch)² and
+// -T·ahead·Δṡ, and |T|·Δslip is friction's.
+void ContactBooking::book(const Model& model, const std::vector<ContactRows>& rows, const Scheme& scheme, const Vector& d,
+                          Ledger& ledger) const {
+  for (size_t k = 0; k < before_.size(); ++k) {
+    const Contact& c = model.contacts[k];
+    const Before& b = before_[k];
+    if (c.normal_force > 0 || b.pressed > 0) {
+      const auto [gap, rate] = gap_of(model, c);
+      const double pressed = std::max(0.0, -(gap + b.offset + scheme.bond_ahead * rate));
+      ledger.numerical_flow += -c.normal_force * (gap - b.gap) -
+                               c.normal_stiffness / 2 * (squared(pressed) - squared(b.pressed));
+    }
+    if (c.stretch != 0 || b.stretch != 0)
+      ledger.numerical_flow += c.shear_stiffness / 2 * squared(c.stretch - b.stretch);
+    if (c.normal_force <= 0) continue;
+    const ContactRows& row = rows[k];
+    const double faster = scheme.velocity_d * row.along(row.shear_i, row.shear_j, d);
+    ledger.numerical_flow -= c.shear_force * scheme.bond_ahead * faster;
+    // Work of a held block that moves: against the force the contact puts on it.
+    const auto held = [&](int block, const Row& normal, const Row& shear) {
+      if (model.shapes[block].dofs > 0) return;
+      const double* v = model.blocks[block].velocity.data();
+      ledger.boundary_work -= scheme.step_v * (c.normal_force * dot(normal, v, max_dofs) -
+                                               c.shear_force * dot(shear, v, max_dofs));
+    };
+    held(c.i, row.normal_i, row.shear_i);
+    held(c.j, row.normal_j, row.shear_j);
+  }
+  book_friction(model, ledger);
+  keep_largest(ledger);
+}
+
+void ContactBooking::book_friction(const Model& model, Ledger& ledger) const {
+  for (size_t k = 0; k < before_.size(); ++k) {
+    const Contact& c = model.contacts[k];
+    if (c.state == ContactState::slip) ledger.friction_work += std::abs(c.shear_force * (c.slip - before_[k].slip));
+  }
+}
+
+std::vector<LoadStepBooking::Force> LoadStepBooking::forces(const Model& model, double time) {
+  Poses now;
+  now.predict(model, Scheme::equilibrium(0));
+  std::vector<Force> all;
+  each_load(model, now, time, [&](int, const Vec2& at, const Vec2& force) { all.push_back({force, at}); });
+  for (size_t b = 0; b < model.blocks.size(); ++b)
+    all.push_back({model.shapes[b].area * body_force(model, model.shapes[b].region, 0, time), model.blocks[b].centroid});
+  return all;
+}
+
+// Per fixity: on what it holds by points and edges, and on what its held blocks touch.
+std::vector<Vec2> LoadStepBooking::reactions(const Model& model, const Supports& supports, double time) {
+  std::vector<Vec2> sum = supports.reactions(model, time);
+  for (const Contact& c : model.contacts) {
+    const Vec2 from = model.vertex[c.global_edge];
+    const Vec2 along =
+        (model.vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)] - from).normalized();
+    const Vec2 on_i = -c.normal_force * perp(along) - c.shear_force * along;
+    if (model.held_by[c.i] >= 0) sum[model.held_by[c.i]] -= on_i;
+    if (model.held_by[c.j] >= 0) sum[model.held_by[c.j]] += on_i;
+  }
+  return sum;
+}
+
+LoadStepBooking::LoadStepBooking(const Model& model, const Supports& supports, double time, bool unloaded)
+    : time_(time),
+      unloaded_(unloaded),
+      forces_(forces(model, time)),
+      reactions_(reactions(model, supports, time)) {
+  for (const BlockState& state : model.blocks) centroids_.push_back(state.centroid);
+}
+
+void LoadStepBooking::book(const Model& model, const Supports& supports, Ledger& ledger) const {
+  const std::vector<Force> now = forces(model, model.time);
+  const double earlier = unloaded_ ? 0 : 1;
+  for (size_t k = 0; k < now.size(); ++k)
+    ledger.external_work += (earlier * forces_[k].force + now[k].force).dot(now[k].place - forces_[k].place) / 2;
+  for (size_t b = 0; b < centroids_.size(); ++b)
+    if (model.shapes[b].dofs > 0)
+      ledger.gravity_work += (earlier + 1) / 2 * model.mass(int(b)) *
+                             model.scene.gravity.dot(model.blocks[b].centroid - centroids_[b]);
+  const std::vector<Vec2> reaction = reactions(model, supports, model.time);
+  for (size_t f = 0; f < reaction.size(); ++f) {
+    const Fixity& fixity = model.scene.fixities[f];
+    const Vec2 moved = fixity_displacement(fixity, model.time) - fixity_displacement(fixity, time_);
+    ledger.boundary_work += (reactions_[f] + reaction[f]).dot(moved) / 2;
+  }
+  keep_largest(ledger);
+}
+
+}  // namespace talus
