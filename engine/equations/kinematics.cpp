@@ -3,8 +3,10 @@
 namespace talus {
 
 Pose flown(const Model& model, int block, double seconds) {
-  const BlockState& state = model.blocks[block];
-  const BlockShape& shape = model.shapes[block];
+  return flown(model.shapes[block], model.blocks[block], seconds);
+}
+
+Pose flown(const BlockShape& shape, const BlockState& state, double seconds) {
   const double per_length = seconds / shape.length;
   const auto& v = state.velocity;
   Pose pose;

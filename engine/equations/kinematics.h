@@ -60,6 +60,7 @@ inline double dot(const Row& row, const double* values, int count) {
 }
 
 // Where a block gets in `seconds` by its own velocity: straight flight of the centroid, exact rotation.
+Pose flown(const BlockShape& shape, const BlockState& state, double seconds);
 Pose flown(const Model& model, int block, double seconds);
 
 // All of them at the configuration of linearisation.

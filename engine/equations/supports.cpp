@@ -94,31 +94,37 @@ double Supports::energy(const Model& model, double ahead) const {
   return sum;
 }
 
+// The loss is B(Δg, ḡ - (g0 + g1)/2) with the gap ḡ the step was solved with, those at its ends as the blocks lie, and B
+// the bilinear form of the energy. The matrix makes B(t ΔX, t w) of it, which for a block that swings on a pin is no
+// change of a gap but (ω Δt)² of its size.
 Supports::Work Supports::work(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
-                              double ahead0, double ahead1) const {
+                              const std::vector<BlockState>& moved, double ahead0, double ahead1) const {
   Work sum;
   for (const SupportPoint& point : points_) {
     const Fixity& fixity = model.scene.fixities[point.fixity];
-    if (fixity.motion == Fixity::none) continue;
     const auto [t, s, gap, traction] = held_at(model, point, poses.blocks[point.block], scheme);
     const Mat2 held = held_directions(fixity);
     const auto wanted = [&](double seconds) -> Vec2 {
       return held * fixity_displacement(fixity, model.time + seconds);
     };
     const BlockShape& shape = model.shapes[point.block];
-    const DofColumn own = of_block(shape, d), v0 = Eigen::Map<const DofColumn>(model.blocks[point.block].velocity.data());
-    const Vec2 force = point.weight * (traction + scheme.bond_d * (s * own) +
-                                       point.stiffness * (gap - scheme.bond_d * (t * own)));
-    const Vec2 moved = wanted(scheme.dt) - wanted(0), moved_y = wanted(scheme.dt + ahead1) - wanted(ahead0);
-    sum.work += force.dot(moved_y);
-    // The loss of step/ledger.h, B(ΔX, w), is of the gaps: what it says for supports at rest lacks these parts.
+    const DofColumn own = of_block(shape, d);
+    const DofColumn v0 = Eigen::Map<const DofColumn>(model.blocks[point.block].velocity.data());
     const DofColumn step = scheme.step_v * v0 + scheme.move_d * own;
     const DofColumn w = scheme.bond_v * v0 + (scheme.bond_d - scheme.move_d / 2) * own;
-    const Vec2 moved_w = wanted(scheme.hold_time) - (wanted(0) + wanted(scheme.dt)) / 2;
-    const Vec2 jump = moved - t * step, jump_w = moved_w - t * w;
-    sum.numerical += force.dot(moved_y - moved) +
-                     point.weight * ((s * step).dot(moved_w) + (s * w).dot(moved) +
-                                     point.stiffness * (jump.dot(jump_w) - (t * step).dot(t * w)));
+    const Vec2 before = wanted(0) - held * flown(model, point.block, 0).displacement(point.in_block);
+    const Vec2 after = wanted(scheme.dt) - held * flown(shape, moved[point.block], 0).displacement(point.in_block);
+    const Vec2 mean = gap - scheme.bond_d * (t * own);
+    const Vec2 jump = after - before, jump_w = mean - (before + after) / 2;
+    const auto form = [&](const Vec2& g, const Vec2& g_w) {
+      return point.weight * ((s * step).dot(g_w) + (s * w).dot(g) + point.stiffness * g.dot(g_w));
+    };
+    sum.numerical += form(jump, jump_w) - form(-t * step, -t * w);
+    if (fixity.motion == Fixity::none) continue;
+    const Vec2 force = point.weight * (traction + scheme.bond_d * (s * own) + point.stiffness * mean);
+    const Vec2 moved_x = wanted(scheme.dt) - wanted(0), moved_y = wanted(scheme.dt + ahead1) - wanted(ahead0);
+    sum.boundary += force.dot(moved_y);
+    sum.numerical += force.dot(moved_y - moved_x);
   }
   return sum;
 }

@@ -27,13 +27,14 @@ class Supports {
   // J/m: the potential `ahead` seconds along the present velocities.
   double energy(const Model& model, double ahead) const;
 
-  // Of a step with the solution d, for those that move. `ahead0`, `ahead1`: lead of y over X before and after, s.
+  // Of a step with the solution d that takes the blocks to `moved`. `ahead0`, `ahead1`: lead of y over X before and
+  // after, s.
   struct Work {
-    double work = 0;       // J/m, force × prescribed displacement between the two y
-    double numerical = 0;  // J/m, what the motion adds to the integrator's loss; see step/ledger.h
+    double boundary = 0;   // J/m, force × prescribed displacement between the two y
+    double numerical = 0;  // J/m, the integrator's loss (step/ledger.cpp) less what the matrix makes of it
   };
-  Work work(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d, double ahead0,
-            double ahead1) const;
+  Work work(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
+            const std::vector<BlockState>& moved, double ahead0, double ahead1) const;
 
   // N/m per fixity, on the blocks, in the model's present state with the fixities of time `t`.
   std::vector<Vec2> reactions(const Model& model, double t) const;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "output/clock.h"
+#include "output/energy_plot.h"
 #include "output/files.h"
 #include "output/history.h"
 #include "output/picture_field.h"
@@ -21,6 +22,7 @@ struct RunOutput::Parts {
   double started = wall_seconds();
   std::optional<PvdSeries> blocks, joints;
   std::optional<HistoryTable> history;
+  EnergyRecord energies;
   int frames = 0;
   long frame_step = -1, row_step = -1;  // step of the last frame and of the last row of the history
   double next = 0;                      // s, output time that is due next
@@ -109,6 +111,7 @@ void RunOutput::after_step(Simulation& simulation) {
   const double every = scene.output.every, time = simulation.model.time;
   const bool first = parts_->frame_step < 0;
   if (!first) parts_->residual = std::max(parts_->residual, simulation.last.residual);
+  if (scene.output.picture) parts_->energies.after_step(simulation);
   // A step that ends at 0.3 may find itself at 0.29999999999999999.
   const double slack = 1e-9 * every;
   if (first || (every > 0 && time >= parts_->next - slack)) {
@@ -130,6 +133,10 @@ void RunOutput::finish(Simulation& simulation, const std::string& outcome, const
   {
     const Booked booked(simulation.totals);
     parts_->write_frame(simulation);
+    if (simulation.model.scene.output.picture) {
+      parts_->energies.last(simulation);
+      write_whole(parts_->dir + "/energy.svg", parts_->energies.draw(simulation.plan));
+    }
   }
   const RunAccount account = {.command_line = parts_->command_line,
                               .outcome = outcome,

@@ -2,6 +2,7 @@
 
 #include "output/json.h"
 #include "output/versions.h"
+#include "step/energy_terms.h"
 
 namespace talus {
 
@@ -30,6 +31,14 @@ void add_totals(Json& json, const RunTotals& totals) {
   json.whole("steps", totals.steps).whole("iterations", totals.iterations);
   json.whole("largest_iterations", totals.largest_iterations).whole("step_cuts", totals.cuts);
   json.whole("factorisations", totals.factorisations).number("largest_residual", totals.largest_residual);
+}
+
+void add_energy(Json& json, const Simulation& simulation) {
+  const Energies energies = simulation.energies();
+  json.object("energy");
+  for (const EnergyTerm* term : energy_terms(simulation.plan)) json.number(term->column, energies.*term->value);
+  json.number("scale", energies.scale);
+  json.number("unexplained_ratio", energies.scale > 0 ? energies.unexplained / energies.scale : 0).end();
 }
 
 void add_seconds(Json& json, const RunTotals& totals, const RunAccount& account) {
@@ -62,6 +71,7 @@ std::string run_report(const Simulation& simulation, const RunAccount& account) 
   json.end();
   add_sizes(json, simulation.model);
   add_totals(json, simulation.totals);
+  add_energy(json, simulation);
   add_seconds(json, simulation.totals, account);
   add_checks(json, account.checks);
   return json.end().file();

@@ -10,6 +10,7 @@
 #include "script/session.h"
 #include "script/simulation_view.h"
 #include "script/table_view.h"
+#include "step/energy_terms.h"
 
 namespace talus {
 namespace {
@@ -114,24 +115,29 @@ int native_parameter(lua_State* L) {
   return 1;
 }
 
-// fields() -> { blocks = {{name, unit, meaning}, …}, joints = …, contacts = …, probes = … }
+// t[#t + 1] = {name, unit, meaning} of the table on the top.
+void add_field(lua_State* L, const std::string& name, const std::string& unit, const std::string& meaning) {
+  lua_createtable(L, 0, 3);
+  for (const auto& [key, text] : {std::pair{"name", &name}, {"unit", &unit}, {"meaning", &meaning}}) {
+    lua_pushstring(L, text->c_str());
+    lua_setfield(L, -2, key);
+  }
+  lua_rawseti(L, -2, lua_Integer(lua_rawlen(L, -2)) + 1);
+}
+
+// fields() -> { blocks = {{name, unit, meaning}, …}, joints = …, contacts = …, probes = …, energy = … }
 int native_fields(lua_State* L) {
   lua_newtable(L);
+  lua_newtable(L);
+  for (const EnergyTerm& term : energy_terms()) add_field(L, term.name, "J/m", term.meaning);
+  add_field(L, "scale", "J/m", "kinetic and stored energy at the start, or the largest work put in so far if that is more");
+  lua_setfield(L, -2, "energy");
   for (const auto& [name, kind] : {std::pair{"blocks", ViewKind::blocks},
                                    {"joints", ViewKind::joints},
                                    {"contacts", ViewKind::contacts},
                                    {"probes", ViewKind::probes}}) {
     lua_newtable(L);
-    lua_Integer count = 0;
-    for (const ViewField& field : view_fields(kind)) {
-      lua_createtable(L, 0, 3);
-      for (const auto& [key, text] :
-           {std::pair{"name", &field.name}, {"unit", &field.unit}, {"meaning", &field.meaning}}) {
-        lua_pushstring(L, text->c_str());
-        lua_setfield(L, -2, key);
-      }
-      lua_rawseti(L, -2, ++count);
-    }
+    for (const ViewField& field : view_fields(kind)) add_field(L, field.name, field.unit, field.meaning);
     lua_setfield(L, -2, name);
   }
   return 1;

@@ -4,16 +4,17 @@
 
 namespace talus {
 
-double kinetic_energy(const Model& model) {
+double kinetic_energy(const Model& model, double ahead) {
   double sum = 0;
-  for (size_t b = 0; b < model.blocks.size(); ++b) {
+  for (int b = 0; b < int(model.blocks.size()); ++b) {
     if (model.shapes[b].dofs == 0) continue;
     const BlockState& state = model.blocks[b];
     const auto v = Eigen::Map<const DofColumn>(state.velocity.data());
-    sum += v.dot(mass_matrix(model, int(b)) * v) / 2;
-    if (model.shapes[b].dofs > 3)
-      sum += (moment_of_inertia(model, int(b), state.strain) - moment_of_inertia(model, int(b), Vec3::Zero())) / 2 *
-             v[2] * v[2];
+    sum += v.dot(mass_matrix(model, b) * v) / 2;
+    if (model.shapes[b].dofs == 3) continue;
+    const Vec3 at_y = state.strain + ahead / model.shapes[b].length * Vec3(v[3], v[4], v[5]);
+    const double x = moment_of_inertia(model, b, state.strain), y = moment_of_inertia(model, b, at_y);
+    sum += (x * x / y - moment_of_inertia(model, b, Vec3::Zero())) * v[2] * v[2] / 2;
   }
   return sum;
 }

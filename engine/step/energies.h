@@ -6,9 +6,9 @@
 
 namespace talus {
 
-// ½ vᵀM v of what can move, spin with the moment of inertia of the strained block: the one whose ½Iω² is kept when
-// angular momentum and the work of the centrifugal forces are (step/update.cpp). Held blocks are not counted.
-double kinetic_energy(const Model& model);
+// ½ vᵀM v of what can move, spin with the moment of inertia of the block as it is strained at y: angular momentum I(e)ω
+// is kept (step/update.cpp), and ½Iω² changes by the work of the centrifugal forces. Held blocks are not counted.
+double kinetic_energy(const Model& model, double ahead);
 
 // A (½ ε·Dε + σ0·ε) of the blocks, and the potentials of bonds and supports.
 double strain_energy(const Model& model, const JointTerms& joints, const Supports& supports, double ahead);

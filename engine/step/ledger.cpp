@@ -86,32 +86,47 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
     force.head<2>() = shape.area * body_force(model, shape.region, 0, time);
     load(b, force);
   }
-  const Supports::Work moved = s.supports.work(model, s.poses, s.scheme, s.d, before, after);
-  ledger.boundary_work += moved.work;
+  const Supports::Work moved = s.supports.work(model, s.poses, s.scheme, s.d, s.moved, before, after);
+  ledger.boundary_work += moved.boundary;
   ledger.numerical_flow += elastic_loss(s) + moved.numerical;
   keep_largest(ledger);
 }
 
-ContactBooking::ContactBooking(const Model& model, double ahead0) {
+// How far a gap judged along straight lines may be off at the end of a step of `seconds`: what turns, times what moves
+// (m). Without turning, gaps are exact.
+double bend(const Model& model, const Contact& c, double seconds) {
+  double turn = 0, way = 0;
+  for (int b : {c.i, c.j}) {
+    const auto& v = model.blocks[b].velocity;
+    const double own = seconds * std::hypot(v[2], v[3], v[4]) / model.shapes[b].length;
+    turn += own;
+    way += seconds * std::hypot(v[0], v[1]) + own * model.shapes[b].radius;
+  }
+  return turn * way;
+}
+
+ContactBooking::ContactBooking(const Model& model, double ahead0, double seconds) {
   for (const Contact& c : model.contacts) {
     const auto [gap, rate] = gap_of(model, c);
-    before_.push_back({gap, std::max(0.0, -(gap + c.offset + ahead0 * rate)), c.offset, c.stretch, c.slip});
+    const double place = std::max(0.0, -(gap + c.offset + ahead0 * rate)), pressed = c.normal_force / c.normal_stiffness;
+    const bool handed = std::abs(place - pressed) > bend(model, c, seconds) + 1e-6 * model.shapes[c.i].length;
+    before_.push_back({gap, pressed, c.stretch, c.slip, handed});
   }
 }
 
-// Loss of a contact along X: -N Δg less the spring's gain at y. For a gap that is linear in y this is the convexity gap
-// N (p1 - p0) - ½ kn (p1² - p0²) >= 0 and N·ahead·Δġ; gaps are measured on the blocks as they lie, so that
-// one on which a block pivots, whose gap does not change, loses nothing. In shear likewise ½ ks (Δstretch)² and
+// Loss of a contact along X: -N Δg less the spring's gain. For a gap that is linear in y this is the convexity gap
+// N (p1 - p0) - ½ kn (p1² - p0²) >= 0 and N·ahead·Δġ; Δg is measured on the blocks as they lie, so that a contact on
+// which a block pivots, whose gap does not change, loses nothing. One that comes into the step pressed otherwise than its
+// force says was handed over: what it gives or takes is not the integrator's. In shear likewise ½ ks (Δstretch)² and
 // -T·ahead·Δṡ, and |T|·Δslip is friction's.
 void ContactBooking::book(const Model& model, const std::vector<ContactRows>& rows, const Scheme& scheme, const Vector& d,
                           Ledger& ledger) const {
   for (size_t k = 0; k < before_.size(); ++k) {
     const Contact& c = model.contacts[k];
     const Before& b = before_[k];
-    if (c.normal_force > 0 || b.pressed > 0) {
-      const auto [gap, rate] = gap_of(model, c);
-      const double pressed = std::max(0.0, -(gap + b.offset + scheme.bond_ahead * rate));
-      ledger.numerical_flow += -c.normal_force * (gap - b.gap) -
+    if ((c.normal_force > 0 || b.pressed > 0) && !b.handed) {
+      const double pressed = c.normal_force / c.normal_stiffness;
+      ledger.numerical_flow += -c.normal_force * (gap_of(model, c).gap - b.gap) -
                                c.normal_stiffness / 2 * (squared(pressed) - squared(b.pressed));
     }
     if (c.stretch != 0 || b.stretch != 0)

@@ -43,6 +43,7 @@ struct BookedStep {  // what an accepted step was solved with; the model is stil
   const Supports& supports;
   const Scheme& scheme;
   const Vector& d;
+  const std::vector<BlockState>& moved;  // the blocks after it
 };
 
 // Forces that do not come from contacts, and the loss of bulk, bonds and supports.
@@ -51,7 +52,7 @@ void book_motion(const BookedStep& step, Ledger& ledger);
 // Contacts before and after a step; `ahead0`: ahead of the step before.
 class ContactBooking {
  public:
-  ContactBooking(const Model& model, double ahead0);
+  ContactBooking(const Model& model, double ahead0, double seconds);
   // The model is that after the step, with the contacts' new forces; `d` and `rows` are the step's.
   void book(const Model& model, const std::vector<ContactRows>& rows, const Scheme& scheme, const Vector& d,
             Ledger& ledger) const;
@@ -60,7 +61,8 @@ class ContactBooking {
 
  private:
   struct Before {
-    double gap, pressed, offset, stretch, slip;  // m; pressed: at y
+    double gap, pressed, stretch, slip;  // m; pressed: of its spring
+    bool handed;                         // pressed otherwise than the blocks lie
   };
   std::vector<Before> before_;
 };

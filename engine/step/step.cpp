@@ -74,7 +74,7 @@ StepReport Stepper::dynamic_step() {
     // 5. The step is accepted: geometry, velocities, contact and joint states.
     accept(std::move(moved), scheme, d);
     if (numerics.integrator == Integrator::newmark && numerics.dynamic_parameter < 1) {
-      ledger_.damping_work += (1 - numerics.dynamic_parameter * numerics.dynamic_parameter) * kinetic_energy(model_);
+      ledger_.damping_work += (1 - numerics.dynamic_parameter * numerics.dynamic_parameter) * kinetic_energy(model_, 0);
       for (BlockState& state : model_.blocks)
         for (double& v : state.velocity) v *= numerics.dynamic_parameter;
     }
@@ -214,8 +214,8 @@ OpenCloseResult Stepper::solve(bool smoothed, Vector& d) {
 void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d) {
   PartTimer timer(totals_, "update");
   const bool motion = scheme.step_v > 0;
-  const ContactBooking booking(model_, ledger_.ahead);
-  if (motion) book_motion({model_, poses_, system_, supports_, scheme, d}, ledger_);
+  const ContactBooking booking(model_, ledger_.ahead, scheme.dt);
+  if (motion) book_motion({model_, poses_, system_, supports_, scheme, d, moved}, ledger_);
   model_.blocks = std::move(moved);
   model_.place_vertices();
   if (plan_.contacts) {
@@ -241,7 +241,7 @@ Energies Stepper::energies() {
   prepare_bonds();
   const double ahead = ledger_.ahead, gravity_ahead = gravity_energy_ahead(model_, ahead);
   Energies e;
-  e.kinetic = plan_.dynamic ? kinetic_energy(model_) : 0;
+  e.kinetic = plan_.dynamic ? kinetic_energy(model_, ahead) : 0;
   e.strain = strain_energy(model_, joints_, supports_, ahead);
   e.contact = contact_energy(model_);
   e.gravity = gravity_ahead - ledger_.gravity_work;
@@ -251,7 +251,8 @@ Energies Stepper::energies() {
   e.friction = ledger_.friction_work;
   e.damping = ledger_.damping_work;
   double shift = gravity_ahead;  // at y less at X: part of the integrator's loss that needs no booking
-  if (ahead != 0) shift += e.strain - strain_energy(model_, joints_, supports_, 0);
+  if (ahead != 0)
+    shift += e.strain - strain_energy(model_, joints_, supports_, 0) + e.kinetic - kinetic_energy(model_, 0);
   e.numerical = ledger_.numerical_flow - (shift - ledger_.start_shift);
   e.unexplained = e.total - ledger_.start_energy - e.external - e.boundary + e.friction + e.damping + e.numerical;
   e.scale = std::max(ledger_.start_energy, ledger_.largest_work);

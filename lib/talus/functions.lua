@@ -14,7 +14,8 @@ return {
     { "sim:log(format, …)", "prints a line with the time, formatted as by string.format" },
     { "sim.time, sim.dt", "time now, last step (s)" },
     { "sim.finished, sim.last", "whether the run is finished; status of the last step" },
-    { "sim.energy", "{kinetic, strain} (J per metre)" },
+    { "sim.energy", "the energy ledger now: {kinetic, strain, contact, gravity, total, external, boundary, friction, damping,"
+        .. " numerical, unexplained, scale} (J per metre), those that the scene can have; see Energies" },
     { "sim.totals",
       "{steps, iterations, cuts, factorisations, largest_iterations, largest_residual, seconds}; seconds: CPU"
         .. " time by part" },

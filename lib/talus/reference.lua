@@ -118,6 +118,7 @@ return function()
   for _, view in ipairs { "blocks", "joints", "contacts", "probes" } do
     field_section("Fields of " .. view, fields[view], lines)
   end
+  field_section("Energies: `sim.energy.<name>`, those that the scene can have; columns of history.csv", fields.energy, lines)
   unit_section(lines)
   return table.concat(lines, "\n") .. "\n"
 end

@@ -87,7 +87,8 @@ TEST(HistoryTable, HeaderWithUnitsAndRowsThatReadBack) {
   std::string header;
   std::getline(file, header);
   EXPECT_EQ(header,
-            "time [s],step,dt [s],kinetic_energy [J/m],strain_energy [J/m],closed_contacts,max_residual,"
+            "time [s],step,dt [s],kinetic_energy [J/m],strain_energy [J/m],gravity_energy [J/m],total_energy [J/m],"
+            "numerical_loss [J/m],unexplained_energy [J/m],closed_contacts,max_residual,"
             "\"top, right.ux [m]\",\"top, right.uy [m]\",\"top, right.vx [m/s]\",\"top, right.vy [m/s]\","
             "\"top, right.sxx [Pa]\",\"top, right.syy [Pa]\",\"top, right.sxy [Pa]\",heat.min,heat.mean,heat.max");
   const auto table = rows(dir);
@@ -98,9 +99,9 @@ TEST(HistoryTable, HeaderWithUnitsAndRowsThatReadBack) {
   EXPECT_EQ(table[3][1], "4");
   EXPECT_EQ(table[3][2], "0.25");
   EXPECT_NEAR(std::stod(table[3][3]), 2000 * 64 / 2, 1e-3);  // m v²/2 at v = 8 m/s
-  EXPECT_NEAR(std::stod(table[3][10]), -8, 1e-9);
-  EXPECT_EQ(table[3].size(), 17u);
-  EXPECT_EQ(table[3][15], "3.5");
+  EXPECT_NEAR(std::stod(table[3][14]), -8, 1e-9);
+  EXPECT_EQ(table[3].size(), 21u);
+  EXPECT_EQ(table[3][19], "3.5");
 }
 
 TEST(HistoryTable, RangeOfUserArraysOverTheBlocks) {
@@ -129,8 +130,8 @@ TEST(HistoryTable, ResidualIsTheLargestSinceTheLastRow) {
     simulation.last.residual = residual;
     output.after_step(simulation);
   }
-  EXPECT_EQ(rows(dir)[2][6], "3e-09");
-  EXPECT_EQ(rows(dir)[3][6], "1e-09");
+  EXPECT_EQ(rows(dir)[2][10], "3e-09");
+  EXPECT_EQ(rows(dir)[3][10], "1e-09");
 }
 
 TEST(RunOutput, WritesAtMultiplesFirstAndLast) {
