@@ -12,8 +12,9 @@ namespace {
 
 constexpr size_t most_samples = 512;  // about the picture's width in px
 
-// A line that stays below this part of the largest would lie on the axis; what is unexplained is drawn even so.
-constexpr double visible = 1e-3;
+// A line that stays below this part of the largest, its own thickness, lies on the axis; what is unexplained is drawn
+// even so.
+constexpr double visible = 5e-3;
 
 }  // namespace
 

@@ -1,0 +1,220 @@
+// The energy ledger against closed forms, on scenes of one or two blocks.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "output/energy_plot.h"
+#include "small_scene.h"
+#include "step/energy_terms.h"
+#include "step/simulation.h"
+
+namespace talus {
+namespace {
+
+using test::rectangle;
+
+// A rigid square of 2 kg/m, in motion for 1 s.
+Scene moving(double dt, const Vec2& velocity = Vec2::Zero()) {
+  Region block = test::region("block", rectangle(0, 0, 1, 1));
+  block.order = BlockOrder::rigid;
+  block.velocity = velocity;
+  Scene scene = test::scene_of({block});
+  scene.time.mode = Mode::dynamic;
+  scene.time.dt = dt;
+  scene.time.displacement_ratio = 1e6;
+  return scene;
+}
+
+Energies run(Simulation& simulation) {
+  while (!simulation.finished()) simulation.step();
+  return simulation.energies();
+}
+
+// Exact in X, but read at y: the way there, ahead·v, is what the integrator answers for.
+TEST(Ledger, FreeFall) {
+  Scene scene = moving(0.01);
+  scene.gravity = {0, -8};
+  Simulation simulation(scene);
+  const Energies e = run(simulation);
+  EXPECT_NEAR(e.kinetic, 2 * 64 / 2.0, 1e-9);
+  EXPECT_NEAR(e.gravity, -2 * 8 * (4 + 0.25 * 0.01 * 8), 1e-9);
+  EXPECT_NEAR(e.numerical, 2 * 8 * 0.25 * 0.01 * 8, 1e-9);
+  EXPECT_NEAR(e.unexplained, 0, 1e-9);
+  EXPECT_NEAR(e.scale, 64, 1e-9);
+}
+
+// A mass on a spring loses (θ-½)(k Δy² + m Δv²) a step; stepped here by the formula of the scheme alone.
+TEST(Ledger, OscillatorLosesByTheFormula) {
+  for (const double theta : {0.5, 0.75, 1.0}) {
+    Scene scene = moving(1e-3, {0.3, 0});
+    scene.materials[0].young = 1;  // the fixity's spring is 1e4 times that
+    scene.fixities = {test::fix(0, test::on_point({0.5, 0.5}))};
+    scene.numerics.theta = theta;
+    Simulation simulation(scene);
+    const Energies e = run(simulation);
+    const double k = 1e4, m = 2, dt = 1e-3;
+    double y = (theta - 0.5) * dt * 0.3, v = 0.3, lost = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const double mean = y + theta * dt * v;  // (1-θ) y0 + θ y1 at v1 = v0
+      const double dv = -k * dt * mean / (m + k * theta * theta * dt * dt);
+      const double dy = dt * (v + theta * dv);
+      lost += (theta - 0.5) * (k * dy * dy + m * dv * dv);
+      y += dy;
+      v += dv;
+    }
+    EXPECT_NEAR(e.kinetic, m * v * v / 2, 1e-9) << theta;
+    EXPECT_NEAR(e.strain, k * y * y / 2, 1e-9) << theta;
+    EXPECT_NEAR(e.numerical, lost, 1e-9) << theta;
+    EXPECT_NEAR(e.unexplained, 0, 1e-9) << theta;
+  }
+}
+
+// y moves when Δt changes: a shorter last step, here, while gravity, a load and a spring act.
+TEST(Ledger, AStepOfAnotherLengthAddsUp) {
+  Scene scene = moving(0.0093, {0.3, -0.2});
+  scene.materials[0].young = 1e-2;
+  scene.gravity = {0, -8};
+  scene.fixities = {test::fix(0, test::on_point({0.5, 0.5}))};
+  PointLoad load;
+  load.region = 0;
+  load.at = {0.5, 0.5};
+  load.force = {History(7.0), History(3.0)};
+  scene.point_loads = {load};
+  Simulation simulation(scene);
+  const Energies e = run(simulation);
+  EXPECT_LT(simulation.last.dt, 0.009);
+  EXPECT_GT(std::abs(e.external), 0.01);
+  EXPECT_NEAR(e.unexplained, 0, 1e-10);
+}
+
+TEST(Ledger, LoadGivesForceTimesWay) {
+  Scene scene = moving(1e-3);
+  PointLoad load;
+  load.region = 0;
+  load.at = {0.5, 0.5};
+  load.force = {History(6.0), History(0.0)};
+  scene.point_loads = {load};
+  Simulation simulation(scene);
+  const Energies e = run(simulation);  // a = 3 m/s2
+  EXPECT_NEAR(e.kinetic, 9, 1e-9);
+  EXPECT_NEAR(e.external, 6 * (1.5 + 0.25e-3 * 3), 1e-9);
+  EXPECT_NEAR(e.unexplained, 0, 1e-9);
+}
+
+// Two points that move as one carry the block along: what they give is its kinetic energy and what the springs lose.
+TEST(Ledger, MovingSupportsGiveWhatArrives) {
+  Scene scene = moving(1e-3);
+  Fixity left = test::fix(0, test::on_point({0, 0.5})), right = test::fix(0, test::on_point({1, 0.5}));
+  left.motion = right.motion = Fixity::velocity;
+  left.value = right.value = {History(0.5), History(0.0)};
+  scene.fixities = {left, right};
+  Simulation simulation(scene);
+  const double stretched = simulation.energies().strain;  // at y the supports have left already
+  const Energies e = run(simulation);
+  EXPECT_NEAR(e.kinetic, 2 * 0.25 / 2, 1e-6);
+  EXPECT_NEAR(e.boundary + stretched, e.kinetic + e.strain + e.numerical, 1e-6);
+  EXPECT_GT(e.numerical, 0.1);  // the start is an impact: half of the work is lost
+  EXPECT_NEAR(e.unexplained, 0, 1e-8);
+}
+
+Scene on_floor(double friction, const Vec2& velocity, double height) {
+  Scene scene = moving(1e-3, velocity);
+  Region floor = test::region("floor", rectangle(-10, -1, 20, 1));
+  floor.held = true;
+  for (Polyline& outline : scene.regions[0].outlines)
+    for (Vec2& p : outline) p.y() += height;
+  scene.regions.push_back(floor);
+  scene.materials[0].young = 1e6;
+  scene.properties[0].friction = friction;
+  scene.contact = 0;
+  scene.gravity = {0, -8};
+  return scene;
+}
+
+TEST(Ledger, FrictionIsForceTimesSliding) {
+  Scene scene = on_floor(0.3, {6, 0}, 0);
+  scene.time.settled_start = true;
+  Simulation simulation(scene);
+  const Energies e = run(simulation);
+  const double friction = std::tan(0.3) * 2 * 8, way = 6 - std::tan(0.3) * 8 / 2;
+  EXPECT_NEAR(e.friction, friction * way, 2e-3 * friction * way);  // at y; the block rocks a little at the start
+  EXPECT_NEAR(e.unexplained, 0, 1e-6 * e.scale);
+}
+
+TEST(Ledger, ImpactIsTheIntegratorsLoss) {
+  Simulation simulation(on_floor(0.3, {0, 0}, 0.5));
+  const Energies e = run(simulation);
+  EXPECT_NEAR(e.numerical, 2 * 8 * 0.5, 0.01);
+  EXPECT_NEAR(e.friction, 0, 1e-6);
+  EXPECT_NEAR(e.unexplained, 0, 1e-6 * e.scale);
+}
+
+// Newmark with the dynamic parameter p keeps p² of the kinetic energy a step.
+TEST(Ledger, DampingOfTheDynamicParameter) {
+  Scene scene = moving(0.1, {3, 0});
+  scene.numerics.integrator = Integrator::newmark;
+  scene.numerics.dynamic_parameter = 0.9;
+  Simulation simulation(scene);
+  const Energies e = run(simulation);
+  EXPECT_NEAR(e.damping, 9 * (1 - std::pow(0.9, 20)), 1e-12);
+  EXPECT_NEAR(e.unexplained, 0, 1e-12);
+}
+
+// The way into equilibrium is not part of the run.
+TEST(Ledger, BeginsAfterTheSettledStart) {
+  Scene scene = on_floor(0.3, {0, 0}, 0);
+  scene.time.settled_start = true;
+  Simulation simulation(scene);
+  simulation.begin();
+  const Energies e = simulation.energies();
+  EXPECT_GT(e.contact, 0);
+  EXPECT_EQ(e.gravity, 0);
+  EXPECT_EQ(e.unexplained, 0);
+  EXPECT_EQ(e.scale, e.total);
+}
+
+// Held by its left edge, pulled at the right: half the force at its full value times the way.
+TEST(Ledger, StaticLoadsGrowFromNothing) {
+  Scene scene = test::scene_of({test::region("bar", rectangle(0, 0, 2, 1))});
+  scene.fixities = {test::fix(0, test::on_line({0, 0}, {0, 1}))};
+  scene.edge_loads = {test::traction(0, test::on_line({2, 0}, {2, 1}), {0.1, 0})};
+  scene.time.steps = 3;
+  Simulation simulation(scene);
+  const Energies e = run(simulation);
+  EXPECT_NEAR(e.external, 0.1 * 0.1 / 1000, 1e-6);  // ½ F (F l / E A); the support keeps its end from thinning: a little less
+  EXPECT_NEAR(e.strain, e.external, 1e-4 * e.external);
+  EXPECT_NEAR(e.unexplained, 0, 1e-4 * e.external);
+}
+
+TEST(EnergyTerms, OnlyWhatTheSceneCanHave) {
+  const auto names = [](const Scene& scene) {
+    Simulation simulation(scene);
+    std::string all;
+    for (const EnergyTerm* term : energy_terms(simulation.plan)) all += term->name + " ";
+    return all;
+  };
+  EXPECT_EQ(names(moving(0.1)), "kinetic strain total numerical unexplained ");
+  EXPECT_EQ(names(on_floor(0.3, {0, 0}, 0)),
+            "kinetic strain contact gravity total friction numerical unexplained ");
+}
+
+TEST(EnergyRecord, StaysSmallAndEndsWithTheRun) {
+  Scene scene = moving(1e-3);
+  scene.time.t_end = 3;
+  Simulation simulation(scene);
+  EnergyRecord record;
+  while (!simulation.finished()) {
+    simulation.step();
+    record.after_step(simulation);
+  }
+  EXPECT_LT(record.size(), 512u);
+  EXPECT_GT(record.size(), 255u);
+  const size_t before = record.size();
+  record.last(simulation);
+  record.last(simulation);
+  EXPECT_LE(record.size(), before + 1);
+  EXPECT_NE(record.draw(simulation.plan).find("unexplained"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace talus

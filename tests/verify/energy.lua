@@ -1,0 +1,114 @@
+-- The energy ledger: what comes in, is stored and is lost adds up in every step, and nothing makes energy.
+-- Bounds: the unexplained rest <= 1 % of the larger of initial energy and work put in, at every step; total energy
+-- rises in no step of unchanged dt by more than 1e-6 of kinetic and stored energy where nothing is put in.
+-- Source: energy theorem of the theta-scheme (theory, "Energy"); friction mu m g s; theta loss of an oscillator.
+local talus = require "talus"
+local u = talus.units
+local g = 9.81
+local rock = talus.material { name = "rock", density = 2500, young = 5*u.GPa, poisson = 0.25 }
+
+local function floor()
+  return talus.region { name = "floor", outline = talus.rect(-20, -1, 20, 0), material = rock, held = true }
+end
+local function block(name, outline, more)
+  local fields = { name = name, outline = outline, material = rock }
+  for key, value in pairs(more or {}) do fields[key] = value end
+  return talus.region(fields)
+end
+local function joint(friction) return talus.joint { name = "joint", friction = friction*u.deg } end
+
+-- Runs the scene. `closed`: nothing is put in, so that total energy must not rise.
+local function account(name, scene, closed)
+  local sim = talus.simulation(scene)
+  local before, dt, rise, rest, steps = nil, nil, 0, 0, 0
+  for _ in sim:steps() do
+    local e = sim.energy
+    local stored = e.kinetic + e.strain + (e.contact or 0)
+    if before and stored > 0 and math.abs(sim.dt/dt - 1) < 1e-9 then
+      rise, steps = math.max(rise, (e.total - before)/stored), steps + 1
+    end
+    before, dt = e.total, sim.dt
+    if e.scale > 0 then rest = math.max(rest, math.abs(e.unexplained)/e.scale) end
+  end
+  talus.check.below(name .. ": unexplained, largest", rest, 0.01)
+  if closed then
+    talus.check.above(name .. ": share of steps of unchanged dt", steps/sim.totals.steps, 0.9)
+    talus.check.below(name .. ": rise of energy in a step, largest", rise, 1e-6)
+  end
+  return sim
+end
+
+local fall = { gravity = {0, -g}, contact = joint(30), time = { mode = "dynamic", t_end = 0.6, dt = 1e-3 },
+               regions = { floor(), block("block", talus.rect(0, 0.2, 1, 1.2)) } }
+local hit = account("impact", fall, true)
+talus.check.near("impact: all energy is lost, J/m", hit.energy.numerical, 2500*g*0.2, { rel = 1e-3 })
+
+local tumble = talus.polygon { {0, 0.5}, {1, 0.7}, {0.8, 1.7}, {-0.2, 1.5} }
+account("tumbling rigid block", {
+  gravity = {0, -g}, contact = joint(30), time = { mode = "dynamic", t_end = 1, dt = 1e-3 },
+  regions = { floor(), block("block", tumble, { order = "rigid" }) } }, true)
+
+local slide = account("slide", {
+  gravity = {0, -g}, contact = joint(20), time = { mode = "dynamic", t_end = 1, dt = 1e-3, start = "settled" },
+  regions = { floor(), block("block", talus.rect(-5, 0, -4, 1), { velocity = {5, 0} }) },
+  probes = { centre = {-4.5, 0.5} } }, true)
+talus.check.near("slide: friction work, mu m g s, J/m", slide.energy.friction,
+                 math.tan(20*u.deg)*2500*g*slide.probes.centre.ux, { rel = 1e-3 })
+
+local stack = { floor() }
+for i = 1, 5 do
+  local x, y = 0.05*(i % 2), 1.02*(i - 1)
+  stack[#stack + 1] = block("block" .. i, talus.rect(x, y, x + 1, y + 1))
+end
+account("stack, dropped", { gravity = {0, -g}, contact = joint(30), regions = stack,
+                            time = { mode = "dynamic", t_end = 0.5, dt = 1e-3 } }, true)
+
+local function wall(more)
+  local fields = { name = "wall", material = rock,
+                   blocks = talus.running_bond { at = {0, 0}, courses = 4, per_course = 4, length = 1, height = 0.5 } }
+  for key, value in pairs(more or {}) do fields[key] = value end
+  return talus.region(fields)
+end
+account("wall, gravity at once", { gravity = {0, -g}, contact = joint(30), regions = { floor(), wall() },
+                                   time = { mode = "dynamic", t_end = 0.2, dt = 1e-3 } }, true)
+account("wall, rammed", {
+  gravity = {0, -g}, contact = joint(30),
+  regions = { floor(), wall(), block("ram", talus.rect(-1.2, 0.7, -0.2, 1.7), { velocity = {8, 0} }) },
+  time = { mode = "dynamic", t_end = 0.8, dt = 5e-4 } }, true)
+account("jointed pile, collapsing", {
+  gravity = {0, -g}, contact = joint(20),
+  regions = { floor(), block("pile", talus.rect(0, 0, 2, 4), {
+    cuts = { talus.joint_set { dip = 60*u.deg, spacing = 1, through = {0, 0} },
+             talus.joint_set { dip = -30*u.deg, spacing = 1, through = {0, 0} } } }) },
+  time = { mode = "dynamic", t_end = 1, dt = 5e-4 } }, true)
+
+account("spinning disc", {
+  regions = { block("disc", talus.circle { at = {0, 0}, radius = 1, sides = 16 }, { mesh = { size = 0.4 }, spin = 50 }) },
+  time = { mode = "dynamic", t_end = 0.05, dt = 5e-5 } }, true)
+account("pendulum", {
+  gravity = {0, -g}, fix = { talus.fix { region = "bar", on = talus.point(0, 0) } },
+  regions = { block("bar", talus.rect(-0.1, -1, 0.1, 0), { spin = 5, spin_centre = {0, 0} }) },
+  time = { mode = "dynamic", t_end = 1.5, dt = 2e-4 } }, true)
+
+-- Work is put in.
+local beam = block("beam", talus.rect(0, 0, 4, 1), { mesh = { size = 0.5 } })
+account("beam, load at once", {
+  regions = { beam }, fix = { talus.fix { region = "beam", on = "left" } },
+  loads = { talus.point_load { at = {4, 1}, force = {0, -5e4} } }, time = { mode = "dynamic", t_end = 0.05, dt = 1e-4 } })
+account("beam, shaken", {
+  regions = { beam }, time = { mode = "dynamic", t_end = 0.2, dt = 5e-4 },
+  fix = { talus.fix { region = "beam", on = "left", displacement = { function(t) return 0.01*(1 - math.cos(60*t)) end, 0 } } } })
+account("block on a shaking table", {
+  gravity = {0, -g}, contact = joint(20), regions = { floor(), block("block", talus.rect(-5, 0, -4, 1)) },
+  fix = { talus.fix { region = "floor", velocity = { function(t) return 2*math.sin(8*t) end, 0 } } },
+  time = { mode = "dynamic", t_end = 1, dt = 1e-3, start = "settled" } })
+local damped = account("impact, Newmark with dynamic parameter", {
+  gravity = {0, -g}, contact = joint(30), regions = fall.regions, time = fall.time,
+  numerics = { profile = "ning2011", dynamic_parameter = 0.99 } })
+talus.check.above("Newmark: energy taken by the dynamic parameter, J/m", damped.energy.damping, 1000)
+
+-- Equilibrium: a linear body stores what is put in.
+local static = account("beam, static", {
+  regions = { beam }, fix = { talus.fix { region = "beam", on = "left" } },
+  loads = { talus.pressure { region = "beam", on = "top", value = 1e4 } }, time = { mode = "static", steps = 2 } })
+talus.check.near("beam, static: strain energy over external work", static.energy.strain/static.energy.external, 1, { rel = 1e-3 })
