@@ -107,6 +107,10 @@ double bend(const Model& model, const Contact& c, double seconds) {
 
 ContactBooking::ContactBooking(const Model& model, double ahead0, double seconds) {
   for (const Contact& c : model.contacts) {
+    if (seconds == 0) {  // equilibrium: friction alone
+      before_.push_back({0, 0, c.stretch, c.slip, false});
+      continue;
+    }
     const auto [gap, rate] = gap_of(model, c);
     const double place = std::max(0.0, -(gap + c.offset + ahead0 * rate)), pressed = c.normal_force / c.normal_stiffness;
     const bool handed = std::abs(place - pressed) > bend(model, c, seconds) + 1e-6 * model.shapes[c.i].length;
@@ -183,7 +187,7 @@ std::vector<Vec2> LoadStepBooking::reactions(const Model& model, const Supports&
 LoadStepBooking::LoadStepBooking(const Model& model, const Supports& supports, double time, bool unloaded)
     : time_(time),
       unloaded_(unloaded),
-      forces_(forces(model, time)),
+      forces_(forces(model, unloaded ? model.time : time)),  // unloaded: for their places alone
       reactions_(reactions(model, supports, time)) {
   for (const BlockState& state : model.blocks) centroids_.push_back(state.centroid);
 }

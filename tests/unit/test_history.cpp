@@ -197,7 +197,7 @@ TEST(RunOutput, PicturesWhenAskedFor) {
   scene.output.vtk = false;
   run(scene);
   EXPECT_EQ(files(dir),
-            (std::set<std::string>{"picture_00000.svg", "picture_00001.svg", "history.csv", "run.json"}));
+            (std::set<std::string>{"energy.svg", "picture_00000.svg", "picture_00001.svg", "history.csv", "run.json"}));
 }
 
 TEST(RunOutput, SwitchedOffMakesNothing) {
@@ -213,7 +213,7 @@ TEST(RunOutput, SwitchedOffMakesNothing) {
 TEST(RunOutput, RerunRemovesItsOwnFormerFilesOnly) {
   const std::string dir = scratch("rerun");
   fs::create_directories(dir);
-  for (const char* name : {"blocks_00099.vtp", "joints_00099.vtp", "joints.pvd", "picture_00003.svg",
+  for (const char* name : {"blocks_00099.vtp", "joints_00099.vtp", "joints.pvd", "picture_00003.svg", "energy.svg",
                            "blocks_00098.vtp.part", "blocks_old.vtp", "notes.txt", "picture.svg", "blocks_1.vtp"})
     std::ofstream(dir + "/" + name) << "x";
   run(falling(dir));
