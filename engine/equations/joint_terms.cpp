@@ -180,12 +180,13 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
 }
 
 double JointTerms::energy(const Model& model, double ahead) const {
-  const Ends now(model, 0);
+  std::vector<Pose> now;
+  for (int b = 0; b < int(model.blocks.size()); ++b) now.push_back(flown(model, b, 0));
   double sum = 0;
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
     if (joint.state != JointState::intact) continue;
-    const Pose &pose_a = now.start[joint.a], &pose_b = now.start[joint.b];
+    const Pose &pose_a = now[joint.a], &pose_b = now[joint.b];
     const Side a = side_of(model, pose_a, joint.a, joint.normal, joint.weight_a);
     const Side b = side_of(model, pose_b, joint.b, joint.normal, joint.weight_b);
     Vec2 flux(0, 0);

@@ -1,5 +1,6 @@
 #pragma once
-// One side of a bond: a block's face at the configuration of linearisation, and the traction its strain gives there.
+// One side of a bond: a block's face at the configuration of linearisation, and the traction its strain gives
+// there.
 #include "equations/kinematics.h"
 
 namespace talus {
@@ -39,6 +40,8 @@ inline Side side_of(const Model& model, const Pose& pose, int block, const Vec2&
   return {pose, elasticity(model.material(block)), model.shapes[block].initial_stress, normal, weight};
 }
 
-inline Vec2 between(const std::array<Vec2, 2>& ends, double at) { return (1 - at) * ends[0] + at * ends[1]; }
+inline Vec2 between(const std::array<Vec2, 2>& ends, double at) {
+  return (1 - at) * ends[0] + at * ends[1];
+}
 
 }  // namespace talus

@@ -8,7 +8,9 @@ namespace talus {
 
 namespace {
 
-Mat2 held_directions(const Fixity& fixity) { return Vec2(fixity.held[0], fixity.held[1]).asDiagonal(); }
+Mat2 held_directions(const Fixity& fixity) {
+  return Vec2(fixity.held[0], fixity.held[1]).asDiagonal();
+}
 
 // A support at the configuration of linearisation, under the unknowns.
 struct Held {
@@ -61,8 +63,8 @@ void Supports::prepare(const Model& model, const std::vector<double>& edge_stiff
     const EdgeFixity& edge = model.edge_fixities[e];
     if (model.shapes[edge.block].dofs == 0) continue;
     for (double at : {0.5 - std::sqrt(3.0) / 6, 0.5 + std::sqrt(3.0) / 6})
-      points_.push_back({edge.fixity, edge.block, between(edge.in_block, at), edge.normal, edge.length / 2,
-                         edge_stiffness[e]});
+      points_.push_back(
+          {edge.fixity, edge.block, between(edge.in_block, at), edge.normal, edge.length / 2, edge_stiffness[e]});
   }
 }
 
@@ -74,9 +76,9 @@ void Supports::add(const Model& model, const Poses& poses, const Scheme& scheme,
     system.add_force(model.shapes[point.block], point.block,
                      w * (t.transpose() * (traction + k * gap) - s.transpose() * gap));
     if (point.normal != Vec2::Zero()) system.add_rounding(point.block, k * w, pose.shift.norm());
-    system.matrix.add(system.matrix.slot(point.block, point.block), false,
-                      DofMatrix(w * scheme.bond_d *
-                                (k * t.transpose() * t - t.transpose() * s - s.transpose() * t)));
+    system.matrix.add(
+        system.matrix.slot(point.block, point.block), false,
+        DofMatrix(w * scheme.bond_d * (k * t.transpose() * t - t.transpose() * s - s.transpose() * t)));
   }
 }
 
@@ -86,17 +88,17 @@ double Supports::energy(const Model& model, double ahead) const {
     const Fixity& fixity = model.scene.fixities[point.fixity];
     const Pose pose = flown(model, point.block, 0);
     const Side side = side_of(model, pose, point.block, point.normal, 1);
-    const Vec2 gap = held_directions(fixity) *
-                     (fixity_displacement(fixity, model.time + ahead) - pose.displacement(point.in_block) -
-                      ahead * pose.velocity_at(point.in_block));
+    const Vec2 gap =
+        held_directions(fixity) * (fixity_displacement(fixity, model.time + ahead) -
+                                   pose.displacement(point.in_block) - ahead * pose.velocity_at(point.in_block));
     sum += point.weight * (side.traction(side.strain_at(ahead)) + point.stiffness / 2 * gap).dot(gap);
   }
   return sum;
 }
 
-// The loss is B(Δg, ḡ - (g0 + g1)/2) with the gap ḡ the step was solved with, those at its ends as the blocks lie, and B
-// the bilinear form of the energy. The matrix makes B(t ΔX, t w) of it, which for a block that swings on a pin is no
-// change of a gap but (ω Δt)² of its size.
+// The loss is B(Δg, ḡ - (g0 + g1)/2) with the gap ḡ the step was solved with, those at its ends as the blocks lie,
+// and B the bilinear form of the energy. The matrix makes B(t ΔX, t w) of it, which for a block that swings on a
+// pin is no change of a gap but (ω Δt)² of its size.
 Supports::Work Supports::work(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
                               const std::vector<BlockState>& moved, double ahead0, double ahead1) const {
   Work sum;

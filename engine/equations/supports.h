@@ -1,9 +1,10 @@
 #pragma once
-// Fixed points and edges bonded to the ground. A point is held by a spring, an edge by Nitsche's terms at two Gauss
-// points; with g = (where the fixity wants the point) - (displacement of the block) in the held directions
+// Fixed points and edges bonded to the ground. A point is held by a spring, an edge by Nitsche's terms at two
+// Gauss points; with g = (where the fixity wants the point) - (displacement of the block) in the held directions
 //   force on the block  t = {σ}n + k g  (a point without {σ}n),   energy  {σ}n · g + ½ k g · g.
-// Like the jump of a bond, the displacement is weighed from both ends of the step (Scheme::bond_end): straight flight
-// alone would take a block that swings on a pin (ω Δt)² of its size away from it, times a very stiff spring.
+// Like the jump of a bond, the displacement is weighed from both ends of the step (Scheme::bond_end): straight
+// flight alone would take a block that swings on a pin (ω Δt)² of its size away from it, times a very stiff
+// spring.
 #include "equations/system.h"
 
 namespace talus {
@@ -27,8 +28,8 @@ class Supports {
   // J/m: the potential `ahead` seconds along the present velocities.
   double energy(const Model& model, double ahead) const;
 
-  // Of a step with the solution d that takes the blocks to `moved`. `ahead0`, `ahead1`: lead of y over X before and
-  // after, s.
+  // Of a step with the solution d that takes the blocks to `moved`. `ahead0`, `ahead1`: lead of y over X before
+  // and after, s.
   struct Work {
     double boundary = 0;   // J/m, force × prescribed displacement between the two y
     double numerical = 0;  // J/m, the integrator's loss (step/ledger.cpp) less what the matrix makes of it

@@ -10,10 +10,10 @@ namespace talus {
 
 namespace {
 
-constexpr size_t most_samples = 512;  // about the picture's width in px
+constexpr size_t most_samples = 256;  // one every 3 px of the picture
 
-// A line that stays below this part of the largest, its own thickness, lies on the axis; what is unexplained is drawn
-// even so.
+// A line that stays below this part of the largest, its own thickness, lies on the axis; what is unexplained is
+// drawn even so.
 constexpr double visible = 5e-3;
 
 }  // namespace
@@ -42,7 +42,8 @@ void EnergyRecord::last(const Simulation& simulation) {
 }
 
 std::string EnergyRecord::draw(const Plan& plan) const {
-  Plot plot = {.title = "Energy (full: stored; dashed: put in, lost, unexplained)", .y_label = "E", .y_unit = "J/m"};
+  Plot plot = {
+      .title = "Energy (full: stored; dashed: put in, lost, unexplained)", .y_label = "E", .y_unit = "J/m"};
   std::vector<Series> all;
   double largest = 0;
   for (const EnergyTerm* term : energy_terms(plan)) {
@@ -55,8 +56,8 @@ std::string EnergyRecord::draw(const Plan& plan) const {
     all.push_back(series);
   }
   for (size_t k = 0; k < all.size(); ++k) {
-    const double most = std::abs(*std::max_element(
-        all[k].y.begin(), all[k].y.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+    const double most = std::abs(*std::max_element(all[k].y.begin(), all[k].y.end(),
+                                                   [](double a, double b) { return std::abs(a) < std::abs(b); }));
     if (most > visible * largest || energy_terms(plan)[k]->kind == EnergyTerm::rest) plot.series.push_back(all[k]);
   }
   return draw_plot(plot);

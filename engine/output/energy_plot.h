@@ -7,7 +7,8 @@
 
 namespace talus {
 
-// Samples of a run of any length: every step at first, then every second, fourth, … one, so that there are never many.
+// Samples of a run of any length: every step at first, then every second, fourth, … one, so that there are never
+// many.
 class EnergyRecord {
  public:
   void after_step(const Simulation& simulation);

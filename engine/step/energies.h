@@ -1,13 +1,14 @@
 #pragma once
-// The energies of the model's present state, J per metre of thickness. `ahead`: seconds along the present velocities,
-// to the places y at which the integrator's forces act (docs/theory.md, "Energy").
+// The energies of the model's present state, J per metre of thickness. `ahead`: seconds along the present
+// velocities, to the places y at which the integrator's forces act (docs/theory.md, "Energy").
 #include "equations/joint_terms.h"
 #include "equations/supports.h"
 
 namespace talus {
 
-// ½ vᵀM v of what can move, spin with the moment of inertia of the block as it is strained at y: angular momentum I(e)ω
-// is kept (step/update.cpp), and ½Iω² changes by the work of the centrifugal forces. Held blocks are not counted.
+// ½ vᵀM v of what can move, spin with the moment of inertia of the block as it is strained at y: angular momentum
+// I(e)ω is kept (step/update.cpp), and ½Iω² changes by the work of the centrifugal forces. Held blocks are not
+// counted.
 double kinetic_energy(const Model& model, double ahead);
 
 // A (½ ε·Dε + σ0·ε) of the blocks, and the potentials of bonds and supports.

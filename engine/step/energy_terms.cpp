@@ -6,18 +6,24 @@ namespace talus {
 
 namespace {
 
-bool always(const Plan&) { return true; }
-bool with_motion(const Plan& plan) { return plan.dynamic; }
-bool with_contacts(const Plan& plan) { return plan.contacts; }
+bool always(const Plan&) {
+  return true;
+}
+bool with_motion(const Plan& plan) {
+  return plan.dynamic;
+}
+bool with_contacts(const Plan& plan) {
+  return plan.contacts;
+}
 
 }  // namespace
 
 std::span<const EnergyTerm> energy_terms() {
   static const std::vector<EnergyTerm> terms = {
-      {"kinetic", "kinetic_energy", "kinetic", EnergyTerm::stored, &Energies::kinetic,
-       "of what is not held", always},
-      {"strain", "strain_energy", "strain", EnergyTerm::stored, &Energies::strain,
-       "of blocks, bonds and supports", always},
+      {"kinetic", "kinetic_energy", "kinetic", EnergyTerm::stored, &Energies::kinetic, "of what is not held",
+       always},
+      {"strain", "strain_energy", "strain", EnergyTerm::stored, &Energies::strain, "of blocks, bonds and supports",
+       always},
       {"contact", "contact_energy", "contact springs", EnergyTerm::stored, &Energies::contact,
        "in the springs of contacts", with_contacts},
       {"gravity", "gravity_energy", "gravity", EnergyTerm::stored, &Energies::gravity,
@@ -28,8 +34,8 @@ std::span<const EnergyTerm> energy_terms() {
        "work of loads and body forces", [](const Plan& plan) { return plan.loads; }},
       {"boundary", "boundary_work", "moving supports", EnergyTerm::put_in, &Energies::boundary,
        "work of supports and held regions that move", [](const Plan& plan) { return plan.moving_supports; }},
-      {"friction", "friction_work", "friction", EnergyTerm::lost, &Energies::friction,
-       "lost to sliding", with_contacts},
+      {"friction", "friction_work", "friction", EnergyTerm::lost, &Energies::friction, "lost to sliding",
+       with_contacts},
       {"damping", "damping_work", "damping", EnergyTerm::lost, &Energies::damping,
        "taken by the dynamic parameter", [](const Plan& plan) { return plan.damping; }},
       {"numerical", "numerical_loss", "integrator", EnergyTerm::lost, &Energies::numerical,

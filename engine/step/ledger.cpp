@@ -21,8 +21,8 @@ DofColumn solution_of(const Model& model, int block, const Vector& d) {
 
 // Loss of the linear forces along X. They are those of ȳ = (1-β) y0 + β y1; with X̄ = (X0 + X1)/2 and w = ȳ - X̄
 //   -f·ΔX = U(X1) - U(X0) + ΔX·K w.
-// K ΔX is nothing where a body turns as one, which the classic (θ-½) Δv·MΔv is not. K is what the system's matrix has
-// beside inertia.
+// K ΔX is nothing where a body turns as one, which the classic (θ-½) Δv·MΔv is not. K is what the system's matrix
+// has beside inertia.
 double elastic_loss(const BookedStep& s) {
   const Model& model = s.model;
   Vector step = Vector::Zero(model.dofs), w = step, kw = step;
@@ -52,11 +52,13 @@ GapRate gap_of(const Model& model, const Contact& c) {
   return {gap, normal.dot(model.velocity_at(c.i, at) - model.velocity_at(c.j, at - gap * normal))};
 }
 
-double squared(double x) { return x * x; }
+double squared(double x) {
+  return x * x;
+}
 
 void keep_largest(Ledger& ledger) {
-  ledger.largest_work = std::max(
-      ledger.largest_work, std::abs(ledger.gravity_work + ledger.external_work + ledger.boundary_work));
+  ledger.largest_work =
+      std::max(ledger.largest_work, std::abs(ledger.gravity_work + ledger.external_work + ledger.boundary_work));
 }
 
 }  // namespace
@@ -92,8 +94,8 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   keep_largest(ledger);
 }
 
-// How far a gap judged along straight lines may be off at the end of a step of `seconds`: what turns, times what moves
-// (m). Without turning, gaps are exact.
+// How far a gap judged along straight lines may be off at the end of a step of `seconds`: what turns, times what
+// moves (m). Without turning, gaps are exact.
 double bend(const Model& model, const Contact& c, double seconds) {
   double turn = 0, way = 0;
   for (int b : {c.i, c.j}) {
@@ -112,19 +114,20 @@ ContactBooking::ContactBooking(const Model& model, double ahead0, double seconds
       continue;
     }
     const auto [gap, rate] = gap_of(model, c);
-    const double place = std::max(0.0, -(gap + c.offset + ahead0 * rate)), pressed = c.normal_force / c.normal_stiffness;
+    const double place = std::max(0.0, -(gap + c.offset + ahead0 * rate)),
+                 pressed = c.normal_force / c.normal_stiffness;
     const bool handed = std::abs(place - pressed) > bend(model, c, seconds) + 1e-6 * model.shapes[c.i].length;
     before_.push_back({gap, pressed, c.stretch, c.slip, handed});
   }
 }
 
 // Loss of a contact along X: -N Δg less the spring's gain. For a gap that is linear in y this is the convexity gap
-// N (p1 - p0) - ½ kn (p1² - p0²) >= 0 and N·ahead·Δġ; Δg is measured on the blocks as they lie, so that a contact on
-// which a block pivots, whose gap does not change, loses nothing. One that comes into the step pressed otherwise than its
-// force says was handed over: what it gives or takes is not the integrator's. In shear likewise ½ ks (Δstretch)² and
-// -T·ahead·Δṡ, and |T|·Δslip is friction's.
-void ContactBooking::book(const Model& model, const std::vector<ContactRows>& rows, const Scheme& scheme, const Vector& d,
-                          Ledger& ledger) const {
+// N (p1 - p0) - ½ kn (p1² - p0²) >= 0 and N·ahead·Δġ; Δg is measured on the blocks as they lie, so that a contact
+// on which a block pivots, whose gap does not change, loses nothing. One that comes into the step pressed
+// otherwise than its force says was handed over: what it gives or takes is not the integrator's. In shear likewise
+// ½ ks (Δstretch)² and -T·ahead·Δṡ, and |T|·Δslip is friction's.
+void ContactBooking::book(const Model& model, const std::vector<ContactRows>& rows, const Scheme& scheme,
+                          const Vector& d, Ledger& ledger) const {
   for (size_t k = 0; k < before_.size(); ++k) {
     const Contact& c = model.contacts[k];
     const Before& b = before_[k];
@@ -143,8 +146,8 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
     const auto held = [&](int block, const Row& normal, const Row& shear) {
       if (model.shapes[block].dofs > 0) return;
       const double* v = model.blocks[block].velocity.data();
-      ledger.boundary_work -= scheme.step_v * (c.normal_force * dot(normal, v, max_dofs) -
-                                               c.shear_force * dot(shear, v, max_dofs));
+      ledger.boundary_work -=
+          scheme.step_v * (c.normal_force * dot(normal, v, max_dofs) - c.shear_force * dot(shear, v, max_dofs));
     };
     held(c.i, row.normal_i, row.shear_i);
     held(c.j, row.normal_j, row.shear_j);
@@ -156,7 +159,8 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
 void ContactBooking::book_friction(const Model& model, Ledger& ledger) const {
   for (size_t k = 0; k < before_.size(); ++k) {
     const Contact& c = model.contacts[k];
-    if (c.state == ContactState::slip) ledger.friction_work += std::abs(c.shear_force * (c.slip - before_[k].slip));
+    if (c.state == ContactState::slip)
+      ledger.friction_work += std::abs(c.shear_force * (c.slip - before_[k].slip));
   }
 }
 
@@ -166,7 +170,8 @@ std::vector<LoadStepBooking::Force> LoadStepBooking::forces(const Model& model, 
   std::vector<Force> all;
   each_load(model, now, time, [&](int, const Vec2& at, const Vec2& force) { all.push_back({force, at}); });
   for (size_t b = 0; b < model.blocks.size(); ++b)
-    all.push_back({model.shapes[b].area * body_force(model, model.shapes[b].region, 0, time), model.blocks[b].centroid});
+    all.push_back(
+        {model.shapes[b].area * body_force(model, model.shapes[b].region, 0, time), model.blocks[b].centroid});
   return all;
 }
 

@@ -1,12 +1,13 @@
 #pragma once
-// Where the energy of a run comes from and where it goes, J per metre of thickness. docs/theory.md, "Energy", derives it.
+// Where the energy of a run comes from and where it goes, J per metre of thickness. docs/theory.md, "Energy",
+// derives it.
 //
 // An accepted step changes the kinetic energy by exactly F·ΔX, the work of the forces F it was solved with along
-// ΔX = Δt (v0 + v1)/2. What each force gives is booked here from the solution; what is stored is read off the state.
-// All energies are those of the places y = X + ahead·v at which the integrator's forces act, ahead = (θ-½)Δt.
-// The integrator's own loss is booked by its formula, term by term, never as what is left; what is left is
-// `unexplained`: finite rotations, contacts that hand over, the solver's residual, what a script changed by hand.
-#include "contact/detection.h"
+// ΔX = Δt (v0 + v1)/2. What each force gives is booked here from the solution; what is stored is read off the
+// state. All energies are those of the places y = X + ahead·v at which the integrator's forces act, ahead =
+// (θ-½)Δt. The integrator's own loss is booked by its formula, term by term, never as what is left; what is left
+// is `unexplained`: finite rotations, contacts that hand over, the solver's residual, what a script changed by
+// hand.
 #include "equations/contact_terms.h"
 #include "equations/supports.h"
 
@@ -14,26 +15,26 @@ namespace talus {
 
 // Accumulated since the start of the run. Plain numbers: a saved state keeps them as they are.
 struct Ledger {
-  double ahead = 0;             // s, of the last accepted step
-  double gravity_work = 0;      // along X
-  double external_work = 0;     // loads and body forces, along y
-  double boundary_work = 0;     // moving supports and held blocks
-  double friction_work = 0;     // dissipated
-  double damping_work = 0;      // taken by the dynamic parameter
-  double numerical_flow = 0;    // the integrator's loss but for what is read off the state (start_shift)
-  double start_energy = 0;      // kinetic and stored, at y
-  double start_shift = 0;       // strain and gravity energy at y less those at X
-  double largest_work = 0;      // largest magnitude of gravity, external and boundary work so far
+  double ahead = 0;           // s, of the last accepted step
+  double gravity_work = 0;    // along X
+  double external_work = 0;   // loads and body forces, along y
+  double boundary_work = 0;   // moving supports and held blocks
+  double friction_work = 0;   // dissipated
+  double damping_work = 0;    // taken by the dynamic parameter
+  double numerical_flow = 0;  // the integrator's loss but for what is read off the state (start_shift)
+  double start_energy = 0;    // kinetic and stored, at y
+  double start_shift = 0;     // strain and gravity energy at y less those at X
+  double largest_work = 0;    // largest magnitude of gravity, external and boundary work so far
 };
 
 // What has come and gone, in one row of the history.
 struct Energies {
-  double kinetic = 0, strain = 0, contact = 0, gravity = 0;   // stored; gravity: since the start
-  double total = 0;                                           // their sum
-  double external = 0, boundary = 0;                          // put in since the start
-  double friction = 0, damping = 0, numerical = 0;            // lost since the start
-  double unexplained = 0;  // total - start - put in + lost
-  double scale = 0;        // the larger of kinetic and stored energy at the start and the largest work put in
+  double kinetic = 0, strain = 0, contact = 0, gravity = 0;  // stored; gravity: since the start
+  double total = 0;                                          // their sum
+  double external = 0, boundary = 0;                         // put in since the start
+  double friction = 0, damping = 0, numerical = 0;           // lost since the start
+  double unexplained = 0;                                    // total - start - put in + lost
+  double scale = 0;  // the larger of kinetic and stored energy at the start and the largest work put in
 };
 
 struct BookedStep {  // what an accepted step was solved with; the model is still as before it
