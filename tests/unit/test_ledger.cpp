@@ -119,8 +119,8 @@ TEST(Ledger, MovingSupportsGiveWhatArrives) {
 }
 
 // On a pin at its corner, 500 kg turn at 5 rad/s: straight flight would leave it by (ω Δt)²/8 of the arm each half
-// step, and held at its extrapolated place alone the pin would ride 3/16 (ω Δt)² off, 1e7 times what its load
-// stretches it.
+// step, and held at its extrapolated place alone the pin would ride 3/16 (ω Δt)² off, thousands of times what its
+// load stretches it.
 TEST(Supports, APinStaysWhereItIs) {
   Scene scene = moving(1e-3);
   scene.materials[0].density = 500;
