@@ -44,6 +44,13 @@ class History {
     return sum + (t - from) * (at(from) + at(t)) / 2;
   }
 
+  template <class Visitor>  // of the registry, model/registry.h
+  void visit_state(Visitor& visitor) {
+    visitor("constant", constant_);
+    visitor.growing("table", table_);
+    visitor.law(function_);
+  }
+
  private:
   double constant_ = 0;
   std::vector<std::pair<double, double>> table_;

@@ -63,6 +63,21 @@ void keep_largest(Ledger& ledger) {
 
 }  // namespace
 
+void visit_state(Ledger& ledger, StateVisitor& v) {
+  auto& [ahead, gravity_work, external_work, boundary_work, friction_work, damping_work, numerical_flow, start_energy,
+         start_shift, largest_work] = ledger;
+  v("ahead", ahead);
+  v("gravity_work", gravity_work);
+  v("external_work", external_work);
+  v("boundary_work", boundary_work);
+  v("friction_work", friction_work);
+  v("damping_work", damping_work);
+  v("numerical_flow", numerical_flow);
+  v("start_energy", start_energy);
+  v("start_shift", start_shift);
+  v("largest_work", largest_work);
+}
+
 void book_motion(const BookedStep& s, Ledger& ledger) {
   const Model& model = s.model;
   const double time = model.time + s.scheme.load_time, before = ledger.ahead, after = s.scheme.bond_ahead;

@@ -10,10 +10,11 @@
 // hand.
 #include "equations/contact_terms.h"
 #include "equations/supports.h"
+#include "model/state_visitor.h"
 
 namespace talus {
 
-// Accumulated since the start of the run. Plain numbers: a saved state keeps them as they are.
+// Accumulated since the start of the run.
 struct Ledger {
   double ahead = 0;           // s, of the last accepted step
   double gravity_work = 0;    // along X
@@ -26,6 +27,7 @@ struct Ledger {
   double start_shift = 0;     // strain and gravity energy at y less those at X
   double largest_work = 0;    // largest magnitude of gravity, external and boundary work so far
 };
+void visit_state(Ledger& ledger, StateVisitor& visitor);  // the registry, model/registry.h
 
 // What has come and gone, in one row of the history.
 struct Energies {

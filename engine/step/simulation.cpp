@@ -3,11 +3,36 @@
 #include <algorithm>
 
 #include "equations/recovery.h"
+#include "model/registry.h"
 #include "scene/build.h"
 #include "step/part_timer.h"
 #include "step/step.h"
 
 namespace talus {
+
+void visit_state(RunTotals& totals, StateVisitor& v) {
+  // parts: CPU time is the process's.
+  [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, largest_iterations, largest_residual, parts] = totals;
+  v("steps", steps);
+  v("iterations", iterations);
+  v("cuts", cuts);
+  v("factorisations", factorisations);
+  v("largest_iterations", largest_iterations);
+  v("largest_residual", largest_residual);
+}
+
+void visit_state(StepReport& report, StateVisitor& v) {
+  auto& [step, time, dt, iterations, cuts, factorisations, residual, displacement, closed_contacts] = report;
+  v("step", step);
+  v("time", time);
+  v("dt", dt);
+  v("iterations", iterations);
+  v("cuts", cuts);
+  v("factorisations", factorisations);
+  v("residual", residual);
+  v("displacement", displacement);
+  v("closed_contacts", closed_contacts);
+}
 
 double& RunTotals::seconds(const std::string& part) {
   for (Part& p : parts)
@@ -20,6 +45,7 @@ Simulation::Simulation(Scene scene) {
   const double start = cpu_seconds();
   model = build(std::move(scene));
   plan = make_plan(model);
+  fingerprint_ = fingerprint(model);
   stepper_ = std::make_unique<Stepper>(model, plan, totals, ledger);
   stepper_->begin_ledger();
   totals.seconds("build") = cpu_seconds() - start;
@@ -59,6 +85,53 @@ void Simulation::settle() {
   for (const BlockState& state : model.blocks) velocities.push_back(state.velocity);
   if (const std::string note = stepper_->settle(); !note.empty()) notes.push_back(note);
   for (size_t b = 0; b < velocities.size(); ++b) model.blocks[b].velocity = velocities[b];
+}
+
+void Simulation::visit_state(StateVisitor& visitor) {
+  talus::visit_state(model, visitor);
+  visitor("stepper", *stepper_);
+  visitor("totals", totals);
+  visitor("last", last);
+  visitor("ledger", ledger);
+  visitor("begun", begun_);
+  visitor.growing("notes", notes);
+}
+
+std::string Simulation::save() {
+  StateWriter writer;
+  visit_state(writer);
+  return std::move(writer.bytes);
+}
+
+void Simulation::restore(const std::string& state) {
+  const std::string before = save();
+  StateReader reader(state);
+  try {
+    visit_state(reader);
+    if (!reader.done()) throw StateError("is longer than a state of this scene");
+  } catch (const StateError&) {
+    StateReader back(before);
+    visit_state(back);
+    throw;
+  }
+  model.place_vertices();
+  ++model.revision;
+  stepper_->restored();
+  recovery_.reset();
+  recovered_step_ = -1;
+  stopped_ = false;
+}
+
+std::uint64_t Simulation::hash() {
+  StateHasher hasher;
+  visit_state(hasher);
+  return hasher.value();
+}
+
+std::uint64_t Simulation::layout() {
+  LayoutHasher hasher;
+  visit_state(hasher);
+  return hasher.value();
 }
 
 bool Simulation::finished() const {

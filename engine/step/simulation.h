@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/model.h"
+#include "model/saved_state.h"
 #include "scene/plan.h"
 #include "step/ledger.h"
 
@@ -34,6 +35,9 @@ struct RunTotals {
   double& seconds(const std::string& part);
 };
 
+void visit_state(StepReport& report, StateVisitor& visitor);  // the registry, model/registry.h
+void visit_state(RunTotals& totals, StateVisitor& visitor);
+
 struct CheckLine { std::string name, value, expected; bool pass = false; };  // talus.check, kept for run.json
 
 class Simulation {
@@ -47,6 +51,15 @@ class Simulation {
   StepReport step();
   bool finished() const;   // t_end, the static load steps, or max_steps reached, or stop() called
   void stop() { stopped_ = true; }
+  bool begun() const { return begun_; }
+
+  // The state between two steps. restore() continues from it bit by bit; it throws StateError and leaves everything
+  // as it was when `state` is not of this scene.
+  std::string save();
+  void restore(const std::string& state);
+  std::uint64_t hash();
+  std::uint64_t layout();  // which tables save() writes
+  const Fingerprint& scene_fingerprint() const { return fingerprint_; }
 
   Model model;
   Plan plan;
@@ -62,8 +75,10 @@ class Simulation {
   std::vector<std::function<void(Simulation&)>> on_step;
 
  private:
+  void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
   void settle();  // equilibrium, with the initial velocities kept
 
+  Fingerprint fingerprint_;
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<Recovery> recovery_;
   long recovered_step_ = -1;

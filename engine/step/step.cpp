@@ -6,6 +6,8 @@
 
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
+#include "model/registry.h"
+#include "model/saved_state.h"
 #include "step/part_timer.h"
 #include "step/update.h"
 
@@ -106,13 +108,11 @@ StepReport Stepper::equilibrium(bool stick) {
 std::string Stepper::settle() {
   Equilibrium stuck, released;
   const auto settles = [&](bool stick, int iterations, Equilibrium& search) {
-    const std::vector<BlockState> blocks = model_.blocks;
-    const std::vector<Contact> contacts = model_.contacts;
-    const std::vector<Joint> joints = model_.joints;
+    StateWriter before;
+    talus::visit_state(model_, before);
     if (find_equilibrium(stick, iterations, search)) return true;
-    model_.blocks = blocks;
-    model_.contacts = contacts;
-    model_.joints = joints;
+    StateReader back(before.bytes);
+    talus::visit_state(model_, back);
     model_.place_vertices();
     return false;
   };
@@ -126,6 +126,13 @@ std::string Stepper::settle() {
   if (plan_.contacts) settles(false, release_iterations, released);
   for (Contact& contact : model_.contacts) contact.slip = 0;
   return {};
+}
+
+void Stepper::visit_state(StateVisitor& visitor) { visitor("step_size", step_size_); }
+
+void Stepper::restored() {
+  revision_ = -1;
+  search_ = {};
 }
 
 bool Stepper::find_equilibrium(bool stick, int iterations, Equilibrium& search) {

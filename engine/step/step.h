@@ -6,6 +6,7 @@
 #include "equations/contact_terms.h"
 #include "equations/joint_terms.h"
 #include "equations/linear_solver.h"
+#include "model/state_visitor.h"
 #include "scene/plan.h"
 #include "step/open_close.h"
 #include "step/energies.h"
@@ -29,6 +30,9 @@ class Stepper {
 
   void begin_ledger();  // the energies since the present state
   Energies energies();
+
+  void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
+  void restored();                          // the model has been put back: what was derived from it is stale
 
  private:
   Scheme scheme(double dt) const;

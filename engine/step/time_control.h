@@ -1,5 +1,7 @@
 #pragma once
 // The size of the next step.
+#include <algorithm>
+
 #include "model/model.h"
 
 namespace talus {
@@ -13,6 +15,12 @@ class StepSize {
   void cut(double dt, double displacement);  // after an attempt of `dt` that was thrown away
   void accepted(double dt, double displacement, int iterations);
   double least() const { return least_; }
+  // The bounds come from the scene; a restart may have set others.
+  template <class Visitor>  // of the registry, model/registry.h
+  void visit_state(Visitor& visitor) {
+    visitor("dt", dt_);
+    dt_ = std::min(dt_, most_);
+  }
 
  private:
   double limit_;     // m, displacement a step

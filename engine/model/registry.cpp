@@ -1,0 +1,188 @@
+#include "model/registry.h"
+
+namespace talus {
+
+void visit_state(Model& model, StateVisitor& v) {
+  v("time", model.time);
+  v("blocks", model.blocks);
+  v("joints", model.joints);
+  v.growing("contacts", model.contacts);
+  visit_values(model.scene, v);
+  v.constant("origin", model.origin);
+  v.constant("extent", model.extent);
+  v.constant("gravity", model.scene.gravity);
+  v.constant("shapes", model.shapes);
+  v.constant("reference_vertex", model.reference_vertex);
+  v.constant("regions", model.scene.regions);
+  v.constant("held_by", model.held_by);
+  v.constant("point_fixities", model.point_fixities);
+  v.constant("edge_fixities", model.edge_fixities);
+  v.constant("point_forces", model.point_forces);
+  v.constant("edge_forces", model.edge_forces);
+  // vertex comes from blocks; revision only tells that something changed.
+}
+
+void visit_values(Scene& scene, StateVisitor& v) {
+  v("materials", scene.materials);
+  v("properties", scene.properties);
+  v("fixities", scene.fixities);
+  v("point_loads", scene.point_loads);
+  v("edge_loads", scene.edge_loads);
+}
+
+void visit_state(BlockState& state, StateVisitor& v) {
+  auto& [shift, centroid, angle, strain, velocity] = state;
+  v("shift", shift);
+  v("centroid", centroid);
+  v("angle", angle);
+  v("strain", strain);
+  v("velocity", velocity);
+}
+
+void visit_state(BlockShape& shape, StateVisitor& v) {
+  auto& [dofs, dof_begin, vertex_begin, vertex_end, region, material, area, length, radius, xx, yy, xy,
+         reference_centroid, initial_stress] = shape;
+  for (int* number : {&dofs, &dof_begin, &vertex_begin, &vertex_end, &region, &material}) v("shape", *number);
+  for (double* number : {&area, &length, &radius, &xx, &yy, &xy}) v("shape", *number);
+  v("reference_centroid", reference_centroid);
+  v("initial_stress", initial_stress);
+}
+
+void visit_state(JointPoint& point, StateVisitor& v) {
+  auto& [at, weight, normal, shear, opening, slip] = point;
+  v.constant("at", at);
+  v.constant("weight", weight);
+  v("normal", normal);
+  v("shear", shear);
+  v("opening", opening);
+  v("slip", slip);
+}
+
+void visit_state(Joint& joint, StateVisitor& v) {
+  auto& [a, b, property, trace, state, kind, length, normal, in_a, in_b, edge_a, edge_b, weight_a, weight_b, points] =
+      joint;
+  for (int* number : {&a, &b, &property, &trace, &edge_a, &edge_b}) v.constant("joint", *number);
+  v.constant("kind", kind);
+  for (double* number : {&length, &weight_a, &weight_b}) v.constant("joint", *number);
+  v.constant("normal", normal);
+  v.constant("in_a", in_a);
+  v.constant("in_b", in_b);
+  v("state", state);
+  v("points", points);
+}
+
+void visit_state(Contact& contact, StateVisitor& v) {
+  auto& [i, vertex, j, edge, kind, state, property, length, normal_stiffness, shear_stiffness, gap, offset, stretch,
+         slip, normal_force, shear_force, global_vertex, global_edge] = contact;
+  v("i", i);
+  v("vertex", vertex);
+  v("j", j);
+  v("edge", edge);
+  v("kind", kind);
+  v("state", state);
+  v("property", property);
+  v("length", length);
+  v("normal_stiffness", normal_stiffness);
+  v("shear_stiffness", shear_stiffness);
+  v("gap", gap);
+  v("offset", offset);
+  v("stretch", stretch);
+  v("slip", slip);
+  v("normal_force", normal_force);
+  v("shear_force", shear_force);
+  v("global_vertex", global_vertex);
+  v("global_edge", global_edge);
+}
+
+void visit_state(Material& material, StateVisitor& v) {
+  [[maybe_unused]] auto& [place, name, density, young, poisson, plane] = material;  // place, name: of the script
+  v("density", density);
+  v("young", young);
+  v("poisson", poisson);
+  v("plane", plane);
+}
+
+void visit_state(JointProperty& property, StateVisitor& v) {
+  [[maybe_unused]] auto& [place, name, friction, cohesion, tension, bond, penalty, stiffness_kind, stiffness,
+                          shear_ratio] = property;
+  v("friction", friction);
+  v("cohesion", cohesion);
+  v("tension", tension);
+  v("bond", bond);
+  v("penalty", penalty);
+  v("stiffness_kind", stiffness_kind);
+  v("stiffness", stiffness);
+  v("shear_ratio", shear_ratio);
+}
+
+void visit_state(On& on, StateVisitor& v) {
+  auto& [kind, from, to] = on;
+  v("kind", kind);
+  v("from", from);
+  v("to", to);
+}
+
+void visit_state(Fixity& fixity, StateVisitor& v) {
+  [[maybe_unused]] auto& [place, name, region, on, held, motion, value, spin] = fixity;
+  v.constant("region", region);
+  v.constant("on", on);
+  v.constant("held", held);
+  v("motion", motion);
+  v("value", value);
+  v("spin", spin);
+}
+
+void visit_state(PointLoad& load, StateVisitor& v) {
+  [[maybe_unused]] auto& [place, name, at, region, force] = load;
+  v.constant("at", at);
+  v.constant("region", region);
+  v("force", force);
+}
+
+void visit_state(EdgeLoad& load, StateVisitor& v) {
+  [[maybe_unused]] auto& [place, name, region, on, is_pressure, traction] = load;
+  v.constant("region", region);
+  v.constant("on", on);
+  v.constant("is_pressure", is_pressure);
+  v("traction", traction);
+}
+
+void visit_state(PointFixity& point, StateVisitor& v) {
+  auto& [fixity, block, in_block, stiffness] = point;
+  v("fixity", fixity);
+  v("block", block);
+  v("in_block", in_block);
+  v("stiffness", stiffness);
+}
+
+void visit_state(EdgeFixity& edge, StateVisitor& v) {
+  auto& [fixity, block, in_block, normal, length] = edge;
+  v("fixity", fixity);
+  v("block", block);
+  v("in_block", in_block);
+  v("normal", normal);
+  v("length", length);
+}
+
+void visit_state(PointForce& point, StateVisitor& v) {
+  auto& [load, block, in_block, share] = point;
+  v("load", load);
+  v("block", block);
+  v("in_block", in_block);
+  v("share", share);
+}
+
+void visit_state(EdgeForce& edge, StateVisitor& v) {
+  auto& [load, block, in_block] = edge;
+  v("load", load);
+  v("block", block);
+  v("in_block", in_block);
+}
+
+// Of a region only what steps still read; the rest has become blocks, joints and their states.
+void visit_state(Region& region, StateVisitor& v) {
+  v("joint", region.joint);
+  v("body_force", region.body_force);
+}
+
+}  // namespace talus
