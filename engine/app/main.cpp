@@ -13,7 +13,7 @@ namespace {
 constexpr const char* usage =
     R"(talus: 2D discontinuous deformation analysis, scripted in Lua
 
-  talus scene.lua [-p name=value …] [-o dir]    runs a scene
+  talus scene.lua [-p name=value …] [-o dir] [--restart file]    runs a scene
   talus plan scene.lua [-p name=value …]        builds it and prints what a step would do
   talus --reference                             prints the scene reference (docs/scene_reference.md)
   talus --version
@@ -21,6 +21,7 @@ constexpr const char* usage =
 
   -p name=value   sets a talus.param of the scene
   -o dir          writes results there instead of where the scene says
+  --restart file  continues from a state that sim:save("file") wrote
 
 Exit status: 0 done; 1 a check failed; 2 bad input; 3 the run had to stop, results up to there are kept;
 130, 143 stopped by SIGINT, SIGTERM.
@@ -47,11 +48,13 @@ talus::SessionOptions read_arguments(const std::vector<std::string>& arguments) 
   options.command_line = command_line(arguments);
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
-    if (argument == "-p" || argument == "-o") {
+    if (argument == "-p" || argument == "-o" || argument == "--restart") {
       if (i + 1 == arguments.size()) throw Usage{argument + ": expected a value after it"};
       const std::string& value = arguments[++i];
       if (argument == "-o") {
         options.output_dir = value;
+      } else if (argument == "--restart") {
+        options.restart = value;
       } else {
         options.parameters.push_back(read_parameter(value));
       }
@@ -64,6 +67,7 @@ talus::SessionOptions read_arguments(const std::vector<std::string>& arguments) 
     }
   }
   if (options.script.empty()) throw Usage{"expected a scene"};
+  if (options.plan_only && !options.restart.empty()) throw Usage{"plan: expected no --restart, nothing is run"};
   return options;
 }
 

@@ -1,9 +1,11 @@
 #include "output/files.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -28,7 +30,8 @@ bool is_frame(std::string_view name, std::string_view stem, std::string_view end
 
 bool is_own(std::string_view name) {
   if (name.ends_with(unfinished)) name.remove_suffix(unfinished.size());
-  for (const std::string_view own : {"blocks.pvd", "joints.pvd", "history.csv", "energy.svg", "run.json"})
+  for (const std::string_view own :
+       {"blocks.pvd", "joints.pvd", "history.csv", "history_before.csv", "energy.svg", "run.json"})
     if (name == own) return true;
   return is_frame(name, "blocks_", ".vtp") || is_frame(name, "joints_", ".vtp") ||
          is_frame(name, "picture_", ".svg");
@@ -41,7 +44,7 @@ void remove_former(const fs::path& dir) {
 
 }  // namespace
 
-void prepare_directory(const Output& output) {
+void prepare_directory(const Output& output, bool resumed) {
   const auto refuse = [&](const std::string& reason) {
     throw InputError(output.place, "output.dir", "a directory that can be written",
                      "\"" + output.dir + "\" (" + reason + ")");
@@ -51,6 +54,7 @@ void prepare_directory(const Output& output) {
   if (error) refuse(error.message());
   if (!fs::is_directory(output.dir)) refuse("it is a file");
   if (access(output.dir.c_str(), W_OK | X_OK) != 0) refuse(std::strerror(errno));
+  if (resumed) return;
   try {
     remove_former(output.dir);
   } catch (const fs::filesystem_error& trouble) {
@@ -63,17 +67,43 @@ std::string frame_name(const std::string& stem, int number, const std::string& e
   return stem + "_" + std::string(5 - std::min<std::size_t>(5, digits.size()), '0') + digits + ending;
 }
 
-void write_whole(const std::string& path, const std::string& content) {
+int frame_number(const std::string& name) {
+  const std::size_t begin = name.find_last_of('_') + 1, end = name.find_last_of('.');
+  int number = -1;
+  const auto [stop, error] = std::from_chars(name.data() + begin, name.data() + std::min(end, name.size()), number);
+  return error == std::errc() && stop == name.data() + end ? number : -1;
+}
+
+namespace {
+
+// Closes and syncs what `path` names: a rename before the bytes are on disk could leave an empty file.
+bool sync(const std::string& path, int flags) {
+  const int file = open(path.c_str(), flags);
+  if (file < 0) return false;
+  const bool good = fsync(file) == 0;
+  return close(file) == 0 && good;
+}
+
+void write_and_rename(const std::string& path, const std::string& content, bool durable) {
   const std::string part = path + std::string(unfinished);
   errno = 0;
   std::ofstream file(part, std::ios::binary | std::ios::trunc);
   file.write(content.data(), static_cast<std::streamsize>(content.size()));
   file.close();
-  if (file.fail() || std::rename(part.c_str(), path.c_str()) != 0) {
+  if (file.fail() || (durable && !sync(part, O_RDONLY)) || std::rename(part.c_str(), path.c_str()) != 0) {
     const std::string reason = errno != 0 ? std::strerror(errno) : "unknown reason";
     std::remove(part.c_str());
     throw RunError("cannot write " + path + ": " + reason);
   }
+  if (!durable) return;
+  const fs::path folder = fs::path(path).parent_path();
+  sync(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);  // the new name; not every file system can
 }
+
+}  // namespace
+
+void write_whole(const std::string& path, const std::string& content) { write_and_rename(path, content, false); }
+
+void write_durably(const std::string& path, const std::string& content) { write_and_rename(path, content, true); }
 
 }  // namespace talus

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <numeric>
+#include <sstream>
+#include <string_view>
 
 #include "model/fields.h"
+#include "output/output.h"
 #include "output/text.h"
 #include "step/energy_terms.h"
 
@@ -30,11 +34,55 @@ std::string header(const Model& model, const Plan& plan) {
   return line;
 }
 
+// The file's lines up to its last line end: a row cut short by a crash is no row.
+std::string whole_lines(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  std::string lines = content.str();
+  lines.resize(lines.rfind('\n') + 1);
+  return lines;
+}
+
+long step_of(const std::string& row) {
+  long step = -1;
+  const std::size_t begin = row.find(',') + 1;
+  std::from_chars(row.data() + begin, row.data() + row.size(), step);
+  return step;
+}
+
 }  // namespace
 
-HistoryTable::HistoryTable(const std::string& path, const Model& model, const Plan& plan)
-    : path_(path), file_(path, std::ios::binary | std::ios::trunc) {
-  write(header(model, plan));
+HistoryTable::HistoryTable(const std::string& path, const Model& model, const Plan& plan, bool resumed)
+    : path_(path) {
+  const std::string columns = header(model, plan) + "\n";
+  std::string content;
+  if (resumed) content = whole_lines(path);
+  const bool same_columns = content.starts_with(columns);
+  if (!same_columns && !content.empty()) write_whole(before(), content);
+  begin(same_columns ? content : columns);
+}
+
+std::string HistoryTable::before() const {
+  return path_.substr(0, path_.size() - std::string_view(".csv").size()) + "_before.csv";
+}
+
+void HistoryTable::begin(const std::string& content) {
+  file_.close();
+  write_whole(path_, content);
+  file_.open(path_, std::ios::binary | std::ios::app);
+}
+
+void HistoryTable::rewind(long step) {
+  const std::string content = whole_lines(path_);
+  std::string kept;
+  for (std::size_t from = 0, end = 0; from < content.size(); from = end) {
+    end = content.find('\n', from) + 1;
+    if (from == 0 || step_of(content.substr(from, end - from)) <= step) kept += content.substr(from, end - from);
+  }
+  if (kept == content) return;
+  write_whole(before(), content);
+  begin(kept);
 }
 
 void HistoryTable::write(const std::string& line) {

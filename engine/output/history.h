@@ -11,13 +11,18 @@ namespace talus {
 
 class HistoryTable {
  public:
-  // Begins the file with its header. Columns stay as they are here for the whole run.
-  HistoryTable(const std::string& path, const Model& model, const Plan& plan);
+  // Begins the file with its header, or where `resumed` continues one with the same columns. Columns stay as they are
+  // here for the whole run. A table that cannot be continued is kept as history_before.csv.
+  HistoryTable(const std::string& path, const Model& model, const Plan& plan, bool resumed);
+  // Takes out the rows of steps after `step`. The table as it was is kept as history_before.csv.
+  void rewind(long step);
   // `residual`: largest since the row before. The row is on disk when this returns.
   void add(Simulation& simulation, double residual, const std::vector<UserArray>& arrays);
 
  private:
   void write(const std::string& line);
+  void begin(const std::string& content);
+  std::string before() const;
   std::string path_;
   std::ofstream file_;
 };

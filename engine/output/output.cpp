@@ -19,6 +19,7 @@ namespace talus {
 
 struct RunOutput::Parts {
   std::string dir, command_line;
+  std::vector<RunAccount::Restore> restores;
   double started = wall_seconds();
   std::optional<PvdSeries> blocks, joints;
   std::optional<HistoryTable> history;
@@ -88,18 +89,39 @@ class Booked {
 
 }  // namespace
 
-RunOutput::RunOutput(Simulation& simulation, const std::string& command_line) {
+RunOutput::RunOutput(Simulation& simulation, const std::string& command_line, bool resumed) {
   const Scene& scene = simulation.model.scene;
   if (scene.output.dir.empty()) return;
   if (scene.output.picture) check_picture_field(scene, scene.output.picture_field);
-  prepare_directory(scene.output);
+  prepare_directory(scene.output, resumed);
   parts_ = std::make_unique<Parts>();
   parts_->dir = scene.output.dir;
   parts_->command_line = command_line;
-  parts_->history.emplace(parts_->dir + "/history.csv", simulation.model, simulation.plan);
+  parts_->history.emplace(parts_->dir + "/history.csv", simulation.model, simulation.plan, resumed);
   if (!scene.output.vtk) return;
   parts_->blocks.emplace(parts_->dir, "blocks");
   if (simulation.plan.bonds || simulation.plan.contacts) parts_->joints.emplace(parts_->dir, "joints");
+  if (!resumed) return;
+  for (std::optional<PvdSeries>* series : {&parts_->blocks, &parts_->joints})
+    if (*series) (*series)->read_back();
+}
+
+void RunOutput::visit_state(StateVisitor& visitor) {
+  Parts none;
+  Parts& parts = parts_ ? *parts_ : none;
+  visitor("frames", parts.frames);
+  visitor("frame_step", parts.frame_step);
+  visitor("row_step", parts.row_step);
+  visitor("next", parts.next);
+  visitor("residual", parts.residual);
+}
+
+void RunOutput::rewind(const Simulation& simulation, const std::string& from) {
+  if (!parts_) return;
+  parts_->history->rewind(parts_->row_step);
+  for (std::optional<PvdSeries>* series : {&parts_->blocks, &parts_->joints})
+    if (*series) (*series)->rewind(parts_->frames);
+  parts_->restores.push_back({from, simulation.totals.steps, simulation.model.time});
 }
 
 RunOutput::~RunOutput() = default;
@@ -142,7 +164,8 @@ void RunOutput::finish(Simulation& simulation, const std::string& outcome, const
                               .outcome = outcome,
                               .wall_seconds = wall_seconds() - parts_->started,
                               .cpu_seconds = cpu_seconds(),
-                              .checks = checks};
+                              .checks = checks,
+                              .restores = parts_->restores};
   write_whole(parts_->dir + "/run.json", run_report(simulation, account));
 }
 

@@ -14,11 +14,17 @@ namespace talus {
 // Creates the directory. Throws InputError when it cannot be written.
 class RunOutput {
  public:
-  RunOutput(Simulation& simulation, const std::string& command_line);
+  // `resumed`: results that lie there are continued, not removed.
+  RunOutput(Simulation& simulation, const std::string& command_line, bool resumed = false);
   ~RunOutput();
 
   void after_step(Simulation& simulation);  // writes what is due at model.time; also called before the first step
   void frame(Simulation& simulation);       // one output time now (sim:output())
+  // How far the results have come; part of a saved state (the registry, model/registry.h).
+  void visit_state(StateVisitor& visitor);
+  // A state was restored from `from`: results of later steps leave history.csv and the series, which then tell one
+  // course from the start to now.
+  void rewind(const Simulation& simulation, const std::string& from);
   // Last frame, run.json with `outcome` ("finished", "stopped", or the error's text) and checks.
   void finish(Simulation& simulation, const std::string& outcome, const std::vector<CheckLine>& checks);
 

@@ -1,5 +1,8 @@
 #include "output/pvd.h"
 
+#include <charconv>
+#include <fstream>
+
 #include "output/files.h"
 #include "output/text.h"
 
@@ -7,6 +10,30 @@ namespace talus {
 
 void PvdSeries::add(double time, const std::string& file) {
   frames_.emplace_back(time, file);
+  write();
+}
+
+void PvdSeries::read_back() {
+  std::ifstream file(dir_ + "/" + name_ + ".pvd", std::ios::binary);
+  for (std::string line; std::getline(file, line);) {
+    const auto value_of = [&](const std::string& attribute) {
+      const std::size_t begin = line.find(attribute + "=\"");
+      if (begin == std::string::npos) return std::string();
+      const std::size_t from = begin + attribute.size() + 2;
+      return line.substr(from, line.find('"', from) - from);
+    };
+    const std::string time = value_of("timestep"), name = value_of("file");
+    double at = 0;
+    if (std::from_chars(time.data(), time.data() + time.size(), at).ec == std::errc() && frame_number(name) >= 0)
+      frames_.emplace_back(at, name);
+  }
+}
+
+void PvdSeries::rewind(int frames) {
+  if (std::erase_if(frames_, [&](const auto& frame) { return frame_number(frame.second) >= frames; }) > 0) write();
+}
+
+void PvdSeries::write() const {
   std::string xml =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n";

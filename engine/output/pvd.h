@@ -12,8 +12,13 @@ class PvdSeries {
   PvdSeries(std::string dir, std::string name) : dir_(std::move(dir)), name_(std::move(name)) {}
   // Takes up <dir>/<file>, which must be there already, and rewrites <dir>/<name>.pvd.
   void add(double time, const std::string& file);
+  // Continues the series that lies there.
+  void read_back();
+  // Leaves out frames from number `frames` on; their files stay until new ones take their places.
+  void rewind(int frames);
 
  private:
+  void write() const;
   std::string dir_, name_;
   std::vector<std::pair<double, std::string>> frames_;
 };

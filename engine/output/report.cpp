@@ -56,6 +56,13 @@ void add_checks(Json& json, const std::vector<CheckLine>& checks) {
   json.end();
 }
 
+void add_restores(Json& json, const std::vector<RunAccount::Restore>& restores) {
+  json.array("restored");
+  for (const RunAccount::Restore& one : restores)
+    json.object().text("from", one.from).whole("step", one.step).number("time", one.time).end();
+  json.end();
+}
+
 }  // namespace
 
 std::string run_report(const Simulation& simulation, const RunAccount& account) {
@@ -64,7 +71,8 @@ std::string run_report(const Simulation& simulation, const RunAccount& account) 
   add_versions(json);
   json.text("title", simulation.model.scene.title).text("scene", simulation.model.scene.file);
   json.text("command_line", account.command_line).text("outcome", account.outcome);
-  json.number("end_time", simulation.model.time);
+  json.number("end_time", simulation.model.time).text("state_hash", hex(simulation.hash()));
+  add_restores(json, account.restores);
   add_plan(json, simulation.plan);
   json.array("notes");
   for (const std::string& note : simulation.notes) json.text(note);

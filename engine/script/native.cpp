@@ -6,6 +6,7 @@
 #include "script/laws.h"
 #include "script/lua_error.h"
 #include "script/nearest.h"
+#include "script/saved_view.h"
 #include "script/scene_reader.h"
 #include "script/session.h"
 #include "script/simulation_view.h"
@@ -86,7 +87,9 @@ int native_create(lua_State* L) {
     handlers.fields.emplace_back(name, LuaFunction(L, -1));
     lua_pop(L, 1);
   });
-  new_simulation(L, Session::of(L).add_run(read_scene(table), std::move(handlers)));
+  const auto run = Session::of(L).add_run(read_scene(table), std::move(handlers));
+  new_simulation(L, run);
+  fill_restart_state(L, run);
   return 1;
 }
 
@@ -158,6 +161,7 @@ int load_native(lua_State* L) {
   luaL_newlib(L, functions);
   push_simulation_methods(L);
   lua_setfield(L, -2, "methods");
+  add_saving(L);
   return 1;
 }
 
@@ -166,6 +170,7 @@ int load_native(lua_State* L) {
 void open_native(lua_State* L) {
   open_table_views(L);
   open_simulation_view(L);
+  open_saved_view(L);
   lua_getglobal(L, LUA_LOADLIBNAME);
   lua_getfield(L, -1, "preload");
   lua_pushcfunction(L, guarded<load_native>);

@@ -67,13 +67,16 @@ std::shared_ptr<Run> Run::create(Scene scene, RunHandlers handlers, const RunSet
   } catch (const RunError& error) {
     throw ScriptError(ErrorKind::input, error.what());
   }
+  run->number_ = settings.number;
+  run->restart_ = settings.restart;
+  if (settings.restart) run->check_restart(*settings.restart);  // before results that lie there are touched
   if (settings.writes) run->start_output(settings);
   return run;
 }
 
 void Run::start_output(const RunSettings& settings) {
   if (!simulation.model.scene.output.dir.empty()) {
-    output_ = std::make_unique<RunOutput>(simulation, settings.command_line);
+    output_ = std::make_unique<RunOutput>(simulation, settings.command_line, settings.restart.has_value());
     simulation.on_step.emplace_back([this](Simulation& s) { output_->after_step(s); });
   }
   if (handlers_.on_step) {
@@ -104,6 +107,7 @@ void Run::call_handler(const LuaFunction& handler) {
 std::optional<StepReport> Run::step() {
   if (simulation.finished()) return std::nullopt;
   throw_if_interrupted();
+  stepped_ = true;
   try {
     const PhaseScope stepping(phase_, Phase::stepping);
     const InterruptsHeld hold;
@@ -131,6 +135,49 @@ void Run::begin() {
   const Place& place = simulation.model.scene.time.place;  // the line of talus.simulation
   for (const std::string& note : simulation.notes)
     std::cerr << "note: " << (place.file.empty() ? "" : place.text() + ": ") << note << '\n';
+}
+
+SavedRun Run::save() const {
+  StateWriter results;
+  if (output_) output_->visit_state(results);
+  return {.simulation = number_,
+          .step = simulation.totals.steps,
+          .time = simulation.model.time,
+          .scene = simulation.scene_fingerprint(),
+          .layout = simulation.layout(),
+          .talus = own_version(),
+          .engine = simulation.save(),
+          .output = std::move(results.bytes),
+          .script = {}};
+}
+
+void Run::check_fits(const SavedRun& saved) const {
+  if (saved.layout != simulation.layout())
+    throw StateError("was saved by Talus " + saved.talus + ", which keeps other tables than this one, " +
+                     own_version());
+  check_same_scene(saved.scene, simulation.scene_fingerprint());
+}
+
+void Run::check_restart(const Restart& restart) const {
+  try {
+    check_fits(restart.saved);
+  } catch (const StateError& error) {
+    throw InputError(simulation.model.scene.time.place, "--restart", "a state saved from this scene",
+                     '"' + restart.file + "\", which " + error.what());
+  }
+}
+
+void Run::restore(const SavedRun& saved, const std::string& from) {
+  check_fits(saved);
+  simulation.restore(saved.engine);
+  restart_.reset();
+  failure_.clear();
+  stopped_ = false;
+  began_ = simulation.begun();
+  if (!output_) return;
+  StateReader results(saved.output);
+  if (!saved.output.empty()) output_->visit_state(results);
+  output_->rewind(simulation, from);
 }
 
 void Run::frame() {

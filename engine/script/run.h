@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "output/output.h"
+#include "output/state_file.h"
 #include "script/laws.h"
 #include "step/simulation.h"
 
@@ -17,10 +18,17 @@ struct RunHandlers {
   std::vector<std::pair<std::string, LuaFunction>> fields;  // output.fields
 };
 
+struct Restart {  // --restart
+  std::string file;
+  SavedRun saved;
+};
+
 struct RunSettings {
   bool writes = true;    // false for `talus plan`
   bool progress = true;  // a progress line on standard error
   std::string command_line;
+  int number = 1;                    // of the simulations that the script makes
+  std::optional<Restart> restart{};  // the state it is to begin with
 };
 
 class Run {
@@ -37,7 +45,14 @@ class Run {
   // Ends the output; once. An empty outcome stands for what the run itself knows: finished, stopped or its error.
   void finish(const std::string& outcome);
 
-  bool began() const { return began_; }
+  // The state between two steps; the script's part is left empty.
+  SavedRun save() const;
+  // Throws StateError when the state is of another scene, or of a Talus with other tables.
+  void check_fits(const SavedRun& saved) const;
+  void restore(const SavedRun& saved, const std::string& from);
+  const std::optional<Restart>& restart() const { return restart_; }  // that is still to come
+
+  bool stepped() const { return stepped_; }
   Phase phase() const { return phase_; }
   void add_check(const CheckLine& check) { checks_.push_back(check); }
   // Throws ScriptError(input) with `what` where the model must not be touched: inside a step.
@@ -50,6 +65,7 @@ class Run {
  private:
   void begin();
   void start_output(const RunSettings& settings);
+  void check_restart(const Restart& restart) const;
   void call_handler(const LuaFunction& handler);
 
   RunHandlers handlers_;
@@ -57,9 +73,11 @@ class Run {
   std::unique_ptr<RunOutput> output_;
   std::optional<Progress> progress_;
   std::vector<CheckLine> checks_;
+  std::optional<Restart> restart_;
+  int number_ = 1;
   std::string failure_;
   Phase phase_ = Phase::idle;
-  bool began_ = false, stopped_ = false, done_ = false, in_frame_ = false;
+  bool began_ = false, stepped_ = false, stopped_ = false, done_ = false, in_frame_ = false;
 };
 
 }  // namespace talus

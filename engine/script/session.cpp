@@ -11,6 +11,7 @@
 #include "script/native.h"
 #include "script/nearest.h"
 #include "script/plan_text.h"
+#include "script/saved_view.h"
 #include "script/simulation_view.h"
 
 namespace talus {
@@ -68,17 +69,35 @@ int Session::script_main(lua_State* L) {
   return 0;
 }
 
+void Session::read_restart() {
+  if (options_.restart.empty()) return;
+  try {
+    restart_ = Restart{options_.restart, read_state(options_.restart)};
+  } catch (const StateError& error) {
+    throw ScriptError(ErrorKind::input,
+                      "--restart: expected a saved state, got \"" + options_.restart + "\", which " + error.what());
+  }
+}
+
 void Session::run_script(lua_State* L) {
+  read_restart();
   open_native(L);
   run_file(L, options_.script);
   check_parameters();
   if (runs_made_ == 0 && checks_ == 0) {
     throw ScriptError(ErrorKind::input, options_.script + ": the script made no talus.simulation and no check");
   }
+  if (restart_ && restart_->saved.simulation > runs_made_) {
+    throw ScriptError(ErrorKind::input, "--restart: expected a state of one of the " + std::to_string(runs_made_) +
+                                            " simulations that " + options_.script + " makes, got \"" +
+                                            restart_->file + "\", which is of simulation " +
+                                            std::to_string(restart_->saved.simulation));
+  }
   if (options_.plan_only) return;
   for (const auto& run : std::vector(runs_)) {
-    if (run->began()) continue;
+    if (run->stepped()) continue;
     push_simulation(L, run);  // handlers are given it
+    resume(L, run);
     while (run->step()) {
     }
     lua_pop(L, 1);
@@ -97,7 +116,9 @@ void Session::finish(Run& run, const std::string& outcome) {
 std::shared_ptr<Run> Session::add_run(Scene scene, RunHandlers handlers) {
   check_parameters();
   if (!options_.plan_only) scene.output.dir = output_dir(scene.output.dir, scene.output.place);
-  const RunSettings settings{!options_.plan_only, options_.progress && !options_.plan_only, options_.command_line};
+  RunSettings settings{!options_.plan_only, options_.progress && !options_.plan_only, options_.command_line};
+  settings.number = runs_made_ + 1;
+  if (restart_ && restart_->saved.simulation == settings.number) settings.restart = restart_;
   auto run = Run::create(std::move(scene), std::move(handlers), settings);
   ++runs_made_;
   runs_.push_back(run);

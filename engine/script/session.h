@@ -2,6 +2,7 @@
 // One script from start to end: parameters, the simulations it makes, its checks, and the exit status.
 #include <lua.hpp>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@ struct SessionOptions {
   std::string script;
   std::vector<std::pair<std::string, std::string>> parameters;  // -p name=value
   std::string output_dir;                                       // -o, empty: as the scene says
+  std::string restart;                                          // --restart, empty: from the beginning
   std::string command_line;
   bool plan_only = false;
   bool progress = true;
@@ -44,6 +46,7 @@ class Session {
   static Session& of(lua_State* L);
 
  private:
+  void read_restart();
   static int script_main(lua_State* L);
   void run_script(lua_State* L);
   void check_parameters() const;
@@ -55,6 +58,7 @@ class Session {
   std::weak_ptr<Run> latest_;
   std::vector<std::pair<std::string, std::string>> known_parameters_;  // name, meaning
   std::set<std::string> output_dirs_;
+  std::optional<Restart> restart_;
   int runs_made_ = 0, checks_ = 0, failed_checks_ = 0;
   bool output_failed_ = false;
 };

@@ -3,8 +3,10 @@
 #include <new>
 #include <vector>
 
+#include "script/laws.h"
 #include "script/lua_error.h"
 #include "script/nearest.h"
+#include "script/saved_view.h"
 #include "script/session.h"
 #include "script/table_view.h"
 #include "step/energy_terms.h"
@@ -84,6 +86,11 @@ const Property properties[] = {
     {"last", [](lua_State* L, const Handle& r) { push_status(L, r->simulation.last); }},
     {"energy", [](lua_State* L, const Handle& r) { push_energy(L, r->simulation); }},
     {"totals", [](lua_State* L, const Handle& r) { push_totals(L, r->simulation); }},
+    {"state",
+     [](lua_State* L, const Handle& r) {
+       push_simulation(L, r);
+       lua_getiuservalue(L, -1, 1);
+     }},
     {"blocks", [](lua_State* L, const Handle& r) { push_table_view(L, r, ViewKind::blocks); }},
     {"joints", [](lua_State* L, const Handle& r) { push_table_view(L, r, ViewKind::joints); }},
     {"contacts", [](lua_State* L, const Handle& r) { push_table_view(L, r, ViewKind::contacts); }},
@@ -108,6 +115,7 @@ Run& steppable(lua_State* L, const char* what) {
   lua_pushnil(L);
   register_value(L, waiting_key, run.get());
   lua_pop(L, 1);
+  resume(L, run);
   return *run;
 }
 
@@ -158,7 +166,12 @@ int simulation_index(lua_State* L) {
 }
 
 int simulation_set(lua_State* L) {
-  refuse(L, "sim." + std::string(luaL_tolstring(L, 2, nullptr)) + " cannot be set");
+  const std::string name = luaL_tolstring(L, 2, nullptr);
+  if (name != "state") refuse(L, "sim." + name + " cannot be set; sim.state can");
+  if (!lua_istable(L, 3)) refuse(L, "sim.state: expected a table, got " + describe(L, 3));
+  lua_pushvalue(L, 3);
+  lua_setiuservalue(L, 1, 1);
+  return 0;
 }
 
 int simulation_text(lua_State* L) {
@@ -217,8 +230,10 @@ void open_simulation_view(lua_State* L) {
 }
 
 void new_simulation(lua_State* L, const std::shared_ptr<Run>& run) {
-  void* memory = lua_newuserdatauv(L, sizeof(Handle), 0);
+  void* memory = lua_newuserdatauv(L, sizeof(Handle), 1);
   new (memory) Handle(run);
+  lua_newtable(L);  // sim.state
+  lua_setiuservalue(L, -2, 1);
   luaL_setmetatable(L, metatable);
   register_value(L, values_key, run.get());
   register_value(L, waiting_key, run.get());

@@ -97,11 +97,14 @@ void Simulation::visit_state(StateVisitor& visitor) {
   visitor.growing("notes", notes);
 }
 
-std::string Simulation::save() {
-  StateWriter writer;
-  visit_state(writer);
-  return std::move(writer.bytes);
+template <class Visitor>
+Visitor Simulation::visited() const {
+  Visitor visitor;
+  const_cast<Simulation*>(this)->visit_state(visitor);
+  return visitor;
 }
+
+std::string Simulation::save() const { return visited<StateWriter>().bytes; }
 
 void Simulation::restore(const std::string& state) {
   const std::string before = save();
@@ -122,17 +125,9 @@ void Simulation::restore(const std::string& state) {
   stopped_ = false;
 }
 
-std::uint64_t Simulation::hash() {
-  StateHasher hasher;
-  visit_state(hasher);
-  return hasher.value();
-}
+std::uint64_t Simulation::hash() const { return visited<StateHasher>().value(); }
 
-std::uint64_t Simulation::layout() {
-  LayoutHasher hasher;
-  visit_state(hasher);
-  return hasher.value();
-}
+std::uint64_t Simulation::layout() const { return visited<LayoutHasher>().value(); }
 
 bool Simulation::finished() const {
   const TimeControl& time = model.scene.time;

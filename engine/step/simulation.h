@@ -55,10 +55,10 @@ class Simulation {
 
   // The state between two steps. restore() continues from it bit by bit; it throws StateError and leaves everything
   // as it was when `state` is not of this scene.
-  std::string save();
+  std::string save() const;
   void restore(const std::string& state);
-  std::uint64_t hash();
-  std::uint64_t layout();  // which tables save() writes
+  std::uint64_t hash() const;
+  std::uint64_t layout() const;  // which tables save() writes
   const Fingerprint& scene_fingerprint() const { return fingerprint_; }
 
   Model model;
@@ -76,6 +76,8 @@ class Simulation {
 
  private:
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
+  template <class Visitor>
+  Visitor visited() const;  // by a visitor that only reads
   void settle();  // equilibrium, with the initial velocities kept
 
   Fingerprint fingerprint_;

@@ -12,6 +12,13 @@ return {
     { "sim:stop()", "finishes the run after this step" },
     { "sim:output()", "writes one output time now" },
     { "sim:log(format, …)", "prints a line with the time, formatted as by string.format" },
+    { "sim:save(), sim:save(file)",
+      "the state of the simulation, and `sim.state`, as a value to give to sim:restore; with a name it is written there"
+        .. " too, see [saving](saving.md)" },
+    { "sim:restore(state or file)", "goes back to a saved state, bit by bit; between steps only" },
+    { "sim.state", "a table for the script's own data, saved and restored with the simulation: numbers, texts, true,"
+        .. " false and tables of these" },
+    { "sim:hash()", "16 hexadecimal digits that tell states apart, `state_hash` in run.json" },
     { "sim.time, sim.dt", "time now, last step (s)" },
     { "sim.finished, sim.last", "whether the run is finished; status of the last step" },
     { "sim.energy", "the energy ledger now: {kinetic, strain, contact, gravity, total, external, boundary, friction, damping,"
@@ -49,6 +56,8 @@ return {
     { "talus.param(name, default [, meaning])",
       "default, or what `-p name=value` says: a number, a text, true or false, as the default is. All are"
         .. " declared before the first simulation" },
+    { "talus scene.lua --restart file",
+      "runs the script again and continues from the state in the file, see [saving](saving.md)" },
     { "require \"part\"",
       "runs part.lua in the scene's folder once. A scene has no files and no processes: of Lua's libraries io and debug"
         .. " are not there, and of os only time, clock and date" },

@@ -157,6 +157,59 @@ local function new_index(self, name, value)
   end
 end
 
+-- A value as plain data. Functions go into the list `laws`.
+local function freeze(value, laws)
+  if type(value) == "function" then
+    laws[#laws + 1] = value
+    return { law = #laws }
+  end
+  if type(value) ~= "table" then return value end
+  local kind, fields = object.kind(value), {}
+  for key, element in pairs(kind and records[value].values or value) do fields[key] = freeze(element, laws) end
+  return { kind = kind, fields = fields }
+end
+
+-- What was frozen. Functions come from `laws`, or where there is no such list (a file) from `present`, the value now.
+local function thaw(frozen, laws, present, where)
+  if type(frozen) ~= "table" then return frozen end
+  if frozen.law then
+    local law = laws and laws[frozen.law] or present
+    if type(law) == "function" then return law end
+    places.expected(where, "a function, as when the state was saved", present)
+  end
+  local fields = {}
+  local now = records[present] and records[present].values or type(present) == "table" and present or {}
+  for key, element in pairs(frozen.fields) do fields[key] = thaw(element, laws, now[key], where) end
+  return frozen.kind and object.wrap(frozen.kind, fields, where.place) or fields
+end
+
+-- The live fields of an object as plain data, for a saved state.
+function object.freeze(self, laws)
+  local fields = {}
+  for name, value in pairs(records[self].values) do
+    if schema[records[self].kind].by_name[name].live then fields[name] = freeze(value, laws) end
+  end
+  return fields
+end
+
+-- All values of the object with the live ones as frozen; `place` is the line that asks for it.
+function object.thaw(self, frozen, laws, place)
+  local record, values = records[self], {}
+  for name, value in pairs(record.values) do
+    if not schema[record.kind].by_name[name].live then values[name] = value end
+  end
+  for name, value in pairs(frozen) do
+    values[name] = thaw(value, laws, record.values[name], { place = place, path = record.path .. "." .. name })
+  end
+  return values
+end
+
+-- Takes values that thaw has made; every simulation that uses the object follows.
+function object.put(self, values)
+  records[self].values = values
+  pass_on(records[self])
+end
+
 for kind in pairs(schema) do
   metatables[kind] = { __index = index, __newindex = new_index, __name = "talus." .. kind, __metatable = kind }
 end

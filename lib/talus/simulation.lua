@@ -3,6 +3,7 @@ local native = require "talus.native"
 local object = require "talus.object"
 local places = require "talus.places"
 local assemble = require "talus.assemble"
+local saving = require "talus.saving"
 
 local rosters = setmetatable({}, { __mode = "k" })  -- simulation -> rosters of its objects
 local methods = native.methods
@@ -17,6 +18,7 @@ local function simulation(fields)
       native.update(sim, change.list, change.index, change.flat(), object.kind(change.object))
     end)
   end
+  saving.keep(sim, assembly.changes)
   return sim
 end
 

@@ -1,0 +1,81 @@
+#include "output/state_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "output/files.h"
+#include "scene/version.h"
+
+namespace talus {
+
+namespace {
+
+constexpr std::string_view magic = "talus saved state\n";
+constexpr std::uint64_t format = 1;
+
+std::uint64_t checksum(std::string_view bytes) {
+  Fnv hash;
+  hash.add(bytes);
+  return hash.value();
+}
+
+std::string content(const std::string& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  if (!file || !(bytes << file.rdbuf()))
+    throw StateError(std::string("cannot be read (") + (errno != 0 ? std::strerror(errno) : "it is empty") + ")");
+  return bytes.str();
+}
+
+}  // namespace
+
+std::string own_version() { return std::string(version) + " (" + commit + ")"; }
+
+void write_state(const std::string& path, const SavedRun& saved) {
+  std::string body;
+  append(body, std::string_view(saved.talus));
+  append(body, saved.layout);
+  append(body, std::uint64_t(saved.simulation));
+  append(body, std::uint64_t(saved.step));
+  append(body, saved.time);
+  for (const std::int64_t count : {saved.scene.blocks, saved.scene.joints, saved.scene.vertices})
+    append(body, std::uint64_t(count));
+  append(body, saved.scene.geometry);
+  append(body, saved.scene.values);
+  for (const std::string* part : {&saved.engine, &saved.output, &saved.script}) append(body, std::string_view(*part));
+  std::string bytes(magic);
+  append(bytes, format);
+  append(bytes, std::string_view(body));
+  append(bytes, checksum(bytes));
+  write_durably(path, bytes);
+}
+
+SavedRun read_state(const std::string& path) {
+  const std::string bytes = content(path);
+  if (!bytes.starts_with(magic)) throw StateError("is no saved state of Talus");
+  ByteReader outer(std::string_view(bytes).substr(magic.size()));
+  if (const std::uint64_t given = outer.whole(); given != format)
+    throw StateError("is of format " + std::to_string(given) + "; this Talus reads format " + std::to_string(format));
+  const std::string body = outer.text();
+  const std::uint64_t sum = outer.whole();
+  if (!outer.done() || sum != checksum(std::string_view(bytes).substr(0, bytes.size() - 8)))
+    throw StateError("is damaged: its checksum does not fit");
+  SavedRun saved;
+  ByteReader reader(body);
+  saved.talus = reader.text();
+  saved.layout = reader.whole();
+  saved.simulation = int(reader.whole());
+  saved.step = long(reader.whole());
+  saved.time = reader.number();
+  for (std::int64_t* count : {&saved.scene.blocks, &saved.scene.joints, &saved.scene.vertices})
+    *count = std::int64_t(reader.whole());
+  saved.scene.geometry = reader.whole();
+  saved.scene.values = reader.whole();
+  for (std::string* part : {&saved.engine, &saved.output, &saved.script}) *part = reader.text();
+  return saved;
+}
+
+}  // namespace talus
