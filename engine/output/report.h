@@ -12,7 +12,7 @@ struct RunAccount {
   double wall_seconds = 0, cpu_seconds = 0;
   std::vector<CheckLine> checks;
   struct Restore { std::string from; long step = 0; double time = 0; };  // s
-  std::vector<Restore> restores;
+  std::vector<Restore> restores{};
 };
 std::string run_report(const Simulation& simulation, const RunAccount& account);
 

@@ -19,6 +19,7 @@ class Packer {
   explicit Packer(lua_State* L) : L_(L) {}
 
   std::string pack(int index, const std::string& path, int depth) {
+    index = lua_absindex(L_, index);
     std::string bytes;
     switch (lua_type(L_, index)) {
       case LUA_TBOOLEAN:
@@ -65,7 +66,6 @@ class Packer {
     if (lua_getmetatable(L_, index)) refuse(path, describe(L_, index) + " with a metatable");
     if (depth == deepest) refuse(path, "tables nested more than " + std::to_string(deepest) + " deep");
     luaL_checkstack(L_, 4, "saving");
-    index = lua_absindex(L_, index);
     std::vector<std::pair<std::string, std::string>> entries;
     for (lua_pushnil(L_); lua_next(L_, index); lua_pop(L_, 1)) {
       const std::string where = path + step_to(-2);
@@ -118,7 +118,7 @@ void push_value(lua_State* L, ByteReader& reader, int depth) {
 }  // namespace
 
 std::string pack_plain(lua_State* L, int index, const std::string& path) {
-  return Packer(L).pack(lua_absindex(L, index), path, 0);
+  return Packer(L).pack(index, path, 0);
 }
 
 void push_plain(lua_State* L, std::string_view bytes) {
