@@ -68,6 +68,7 @@ class StateWriter : public StateVisitor {
 class StateReader : public StateVisitor {
  public:
   explicit StateReader(std::string_view bytes) : bytes_(bytes) {}
+  explicit StateReader(std::string&& bytes) = delete;  // they are read later
   bool done() const { return bytes_.done(); }
 
  protected:

@@ -137,8 +137,9 @@ void RunOutput::after_step(Simulation& simulation) {
   // A step that ends at 0.3 may find itself at 0.29999999999999999.
   const double slack = 1e-9 * every;
   if (first || (every > 0 && time >= parts_->next - slack)) {
-    parts_->write_frame(simulation);
+    // First, because the script may save the state when the frame is written.
     if (every > 0) parts_->next = every * (std::floor((time + slack) / every) + 1);
+    parts_->write_frame(simulation);
   } else if (scene.time.mode == Mode::static_) {
     parts_->add_row(simulation, user_arrays(simulation.model));
   }

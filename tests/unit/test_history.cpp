@@ -9,6 +9,7 @@
 
 #include "hand_model.h"
 #include "output/files.h"
+#include "output/history.h"
 #include "output/output.h"
 #include "output/progress.h"
 
@@ -188,6 +189,44 @@ TEST(RunOutput, FrameOnDemandOncePerStep) {
   EXPECT_EQ(files(dir).count("blocks_00001.vtp"), 1u);
   EXPECT_EQ(files(dir).count("blocks_00002.vtp"), 0u);
   EXPECT_EQ(rows(dir).size(), 3u);
+}
+
+TEST(HistoryTable, ContinuesWholeRowsAndGoesBack) {
+  const std::string dir = scratch("resumed");
+  Scene scene = falling(dir);
+  run(scene);
+  std::ofstream(dir + "/history.csv", std::ios::app) << "1.25,5,0.2";  // cut short by a crash
+  Simulation simulation(scene);
+  HistoryTable table(dir + "/history.csv", simulation.model, simulation.plan, true);
+  EXPECT_EQ(rows(dir).size(), 3u);
+  table.rewind(0);
+  EXPECT_EQ(rows(dir).size(), 2u);
+  EXPECT_TRUE(fs::exists(dir + "/history_before.csv"));
+  simulation.totals.steps = 2;
+  table.add(simulation, 0, {{"heat", {1.0}}});
+  EXPECT_EQ(rows(dir).size(), 3u);
+  EXPECT_EQ(rows(dir)[2][1], "2");
+}
+
+TEST(HistoryTable, OfOtherColumnsIsKeptBeside) {
+  const std::string dir = scratch("columns");
+  Scene scene = falling(dir);
+  run(scene);
+  const size_t columns = rows(dir)[0].size();
+  scene.probes.clear();
+  const Simulation simulation(scene);
+  const HistoryTable table(dir + "/history.csv", simulation.model, simulation.plan, true);
+  EXPECT_EQ(rows(dir).size(), 1u);
+  EXPECT_LT(rows(dir)[0].size(), columns);
+  EXPECT_TRUE(fs::exists(dir + "/history_before.csv"));
+}
+
+TEST(FrameNumber, IsThatOfTheName) {
+  EXPECT_EQ(frame_number(frame_name("blocks", 12, ".vtp")), 12);
+  EXPECT_EQ(frame_number(frame_name("blocks", 1234567, ".vtp")), 1234567);
+  EXPECT_EQ(frame_number("blocks.pvd"), -1);
+  EXPECT_EQ(frame_number("blocks_1x.vtp"), -1);
+  EXPECT_EQ(frame_number(""), -1);
 }
 
 TEST(RunOutput, PicturesWhenAskedFor) {

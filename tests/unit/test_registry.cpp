@@ -150,16 +150,17 @@ TEST(Registry, BytesCutAnywhereAreRefused) {
 TEST(Registry, ABlockMoreIsRefused) {
   Model model = loaded(), larger = loaded();
   larger.blocks.resize(3);
-  StateReader reader(bytes_of(larger));
+  const std::string bytes = bytes_of(larger);
+  StateReader reader(bytes);
   EXPECT_THROW(visit_state(model, reader), StateError);
 }
 
 TEST(Registry, FunctionsAreTheScriptsToGive) {
   Model with = loaded(), without = loaded();
   with.scene.point_loads[0].force[1] = History([](double t) { return 7 * t; });
-  StateReader missing(bytes_of(with));
+  const std::string bytes = bytes_of(with);
+  StateReader missing(bytes), present(bytes);
   EXPECT_THROW(visit_state(without, missing), StateError);
-  StateReader present(bytes_of(with));
   visit_state(with, present);
   EXPECT_EQ(with.scene.point_loads[0].force[1].at(1), 7);
 }

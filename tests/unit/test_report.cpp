@@ -63,13 +63,16 @@ TEST(RunReport, TellsWhatWasRunAndHowItWent) {
                               .outcome = "stopped",
                               .wall_seconds = 2,
                               .cpu_seconds = 1.5,
-                              .checks = {{"tip", "1.01", "1 ± 0.02", true}, {"angle", "3", "< 2", false}}};
+                              .checks = {{"tip", "1.01", "1 ± 0.02", true}, {"angle", "3", "< 2", false}},
+                              .restores = {{"x.state", 300, 0.5}}};
   const std::string json = run_report(simulation, account);
   EXPECT_TRUE(has(json, "\"talus\": \"" + versions().talus + "\""));
   EXPECT_TRUE(has(json, "\"vtk\": \"9."));
   EXPECT_TRUE(has(json, "\"scene\": \"examples/x.lua\""));
   EXPECT_TRUE(has(json, "\"command_line\": \"talus \\\"x y.lua\\\"\""));
   EXPECT_TRUE(has(json, "\"outcome\": \"stopped\""));
+  EXPECT_TRUE(has(json, "\"state_hash\": \"" + hex(simulation.hash()) + "\""));
+  EXPECT_TRUE(has(json, "\"from\": \"x.state\",\n      \"step\": 300,\n      \"time\": 0.5"));
   EXPECT_TRUE(has(json, "\"blocks\": 1,"));
   EXPECT_TRUE(has(json, "\"unknowns\": 6,"));
   EXPECT_TRUE(has(json, "\"steps\": 7,"));
