@@ -59,8 +59,8 @@ void visit_state(JointPoint& point, StateVisitor& v) {
 }
 
 void visit_state(Joint& joint, StateVisitor& v) {
-  auto& [a, b, property, trace, state, kind, length, normal, in_a, in_b, edge_a, edge_b, weight_a, weight_b, points] =
-      joint;
+  auto& [a, b, property, trace, state, kind, length, normal, in_a, in_b, edge_a, edge_b, weight_a, weight_b,
+         points] = joint;
   for (int* number : {&a, &b, &property, &trace, &edge_a, &edge_b}) v.constant("joint", *number);
   v.constant("kind", kind);
   for (double* number : {&length, &weight_a, &weight_b}) v.constant("joint", *number);
@@ -72,8 +72,8 @@ void visit_state(Joint& joint, StateVisitor& v) {
 }
 
 void visit_state(Contact& contact, StateVisitor& v) {
-  auto& [i, vertex, j, edge, kind, state, property, length, normal_stiffness, shear_stiffness, gap, offset, stretch,
-         slip, normal_force, shear_force, global_vertex, global_edge] = contact;
+  auto& [i, vertex, j, edge, kind, state, property, length, normal_stiffness, shear_stiffness, gap, offset,
+         stretch, slip, normal_force, shear_force, global_vertex, global_edge] = contact;
   v("i", i);
   v("vertex", vertex);
   v("j", j);

@@ -16,7 +16,9 @@ void append(std::string& bytes, std::uint64_t value) {
   for (int i = 0; i < 8; ++i, value >>= 8) bytes.push_back(static_cast<char>(value & 255));
 }
 
-void append(std::string& bytes, double value) { append(bytes, std::bit_cast<std::uint64_t>(value)); }
+void append(std::string& bytes, double value) {
+  append(bytes, std::bit_cast<std::uint64_t>(value));
+}
 
 void append(std::string& bytes, std::string_view text) {
   append(bytes, std::uint64_t(text.size()));
@@ -31,7 +33,9 @@ std::uint64_t ByteReader::whole() {
   return value;
 }
 
-double ByteReader::number() { return std::bit_cast<double>(whole()); }
+double ByteReader::number() {
+  return std::bit_cast<double>(whole());
+}
 
 std::string ByteReader::text() {
   const std::uint64_t size = whole();
@@ -43,7 +47,8 @@ std::string ByteReader::text() {
 
 void StateReader::take_law(std::function<double(double)>& function) {
   const bool was_there = bytes_.whole() != 0;
-  if (was_there && !function) throw StateError("has a load or support by a function that this scene does not give");
+  if (was_there && !function)
+    throw StateError("has a load or support by a function that this scene does not give");
   if (!was_there) function = nullptr;
 }
 

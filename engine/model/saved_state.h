@@ -64,7 +64,8 @@ class StateWriter : public StateVisitor {
   void check_length(std::size_t count) override { append(bytes, std::uint64_t(count)); }
 };
 
-// Puts bytes back where StateWriter took them. Throws StateError when they do not fit, with the state half changed.
+// Puts bytes back where StateWriter took them. Throws StateError when they do not fit, with the state half
+// changed.
 class StateReader : public StateVisitor {
  public:
   explicit StateReader(std::string_view bytes) : bytes_(bytes) {}

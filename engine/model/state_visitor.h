@@ -56,8 +56,8 @@ class StateVisitor {
   virtual void take(std::int64_t& value) = 0;
   virtual void take(std::string& value) = 0;
   virtual void take_law(std::function<double(double)>& function) = 0;
-  virtual void resize(std::size_t& count) = 0;              // of a growing table
-  virtual void check_length(std::size_t count) = 0;         // of a table whose length is settled
+  virtual void resize(std::size_t& count) = 0;             // of a growing table
+  virtual void check_length(std::size_t count) = 0;        // of a table whose length is settled
   virtual bool wants_types_only() const { return false; }  // then an element stands for its table
 
  private:

@@ -11,8 +11,8 @@ namespace talus {
 
 class HistoryTable {
  public:
-  // Begins the file with its header, or where `resumed` continues one with the same columns. Columns stay as they are
-  // here for the whole run. A table that cannot be continued is kept as history_before.csv.
+  // Begins the file with its header, or where `resumed` continues one with the same columns. Columns stay as they
+  // are here for the whole run. A table that cannot be continued is kept as history_before.csv.
   HistoryTable(const std::string& path, const Model& model, const Plan& plan, bool resumed);
   // Takes out the rows of steps after `step`. The table as it was is kept as history_before.csv.
   void rewind(long step);

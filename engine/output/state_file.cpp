@@ -32,7 +32,9 @@ std::string content(const std::string& path) {
 
 }  // namespace
 
-std::string own_version() { return std::string(version) + " (" + commit + ")"; }
+std::string own_version() {
+  return std::string(version) + " (" + commit + ")";
+}
 
 void write_state(const std::string& path, const SavedRun& saved) {
   std::string body;
@@ -45,7 +47,8 @@ void write_state(const std::string& path, const SavedRun& saved) {
     append(body, std::uint64_t(count));
   append(body, saved.scene.geometry);
   append(body, saved.scene.values);
-  for (const std::string* part : {&saved.engine, &saved.output, &saved.script}) append(body, std::string_view(*part));
+  for (const std::string* part : {&saved.engine, &saved.output, &saved.script})
+    append(body, std::string_view(*part));
   std::string bytes(magic);
   append(bytes, format);
   append(bytes, std::string_view(body));
@@ -58,7 +61,8 @@ SavedRun read_state(const std::string& path) {
   if (!bytes.starts_with(magic)) throw StateError("is no saved state of Talus");
   ByteReader outer(std::string_view(bytes).substr(magic.size()));
   if (const std::uint64_t given = outer.whole(); given != format)
-    throw StateError("is of format " + std::to_string(given) + "; this Talus reads format " + std::to_string(format));
+    throw StateError("is of format " + std::to_string(given) + "; this Talus reads format " +
+                     std::to_string(format));
   const std::string body = outer.text();
   const std::uint64_t sum = outer.whole();
   if (!outer.done() || sum != checksum(std::string_view(bytes).substr(0, bytes.size() - 8)))

@@ -17,8 +17,8 @@ struct SavedRun {
   std::string script;          // sim.state and the live fields of the script's objects (script/plain_data.h)
 };
 
-// Written under a temporary name, brought to disk and renamed: a crash leaves the former file or the new one, whole.
-// Throws RunError naming path and reason.
+// Written under a temporary name, brought to disk and renamed: a crash leaves the former file or the new one,
+// whole. Throws RunError naming path and reason.
 void write_state(const std::string& path, const SavedRun& saved);
 // Throws StateError when it is no file of a state, or not what was written.
 SavedRun read_state(const std::string& path);

@@ -48,9 +48,11 @@ class Packer {
 
  private:
   [[noreturn]] void refuse(const std::string& path, const std::string& given) {
-    throw ScriptError(ErrorKind::input, user_place(L_).text() + ": " + path +
-                                            ": expected plain data to save (a number, a text, true, false or a table "
-                                            "of these), got " + given);
+    throw ScriptError(ErrorKind::input,
+                      user_place(L_).text() + ": " + path +
+                          ": expected plain data to save (a number, a text, true, false or a table "
+                          "of these), got " +
+                          given);
   }
 
   // ".name", "[3]", as one would write it.

@@ -90,6 +90,7 @@ SavedRun read_file(lua_State* L, const std::string& path) {
 // open(sim, file or saved state) -> saved state, its objects, its laws or nil; refused when it is of another scene
 int saving_open(lua_State* L) {
   const Run& run = check_simulation(L, 1);
+  if (Session::of(L).plan_only()) throw ScriptError(ErrorKind::planned, "planned");
   if (run.phase() != Run::Phase::idle) refuse(L, "sim:restore inside a step, a handler or a law");
   if (lua_type(L, 2) == LUA_TSTRING) {
     const std::string path = lua_tostring(L, 2);

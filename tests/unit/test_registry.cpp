@@ -1,9 +1,8 @@
 // The registry of state: every registered value counts in the hash, and comes back from the bytes.
-#include "model/registry.h"
-
 #include <gtest/gtest.h>
 
 #include "hand_model.h"
+#include "model/registry.h"
 #include "model/saved_state.h"
 
 namespace talus {

@@ -1,6 +1,4 @@
 // Saved states as files: whole or refused. And a real run that goes on from one.
-#include "output/state_file.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -9,6 +7,7 @@
 #include <sstream>
 
 #include "output/files.h"
+#include "output/state_file.h"
 #include "small_scene.h"
 #include "step/simulation.h"
 
