@@ -21,6 +21,36 @@ constexpr double least_hold = 1e-4;
 constexpr int equilibrium_iterations = 200;
 constexpr int release_iterations = 20;  // from the sticking one; a scene that slides is not followed further
 
+// What an attempt at a step changes before it is known to succeed; put back unless keep() is called.
+class Attempt {
+ public:
+  // `contacts`: where those of the model are kept meanwhile, the same memory for every attempt.
+  Attempt(Model& model, const Plan& plan, Ledger& ledger, std::vector<Contact>& contacts)
+      : model_(model), ledger_(ledger), before_(ledger), contacts_(contacts) {
+    if (plan.contacts) contacts_ = model.contacts;
+    if (!plan.held_blocks) return;
+    for (size_t b = 0; b < model.shapes.size(); ++b)
+      if (model.shapes[b].dofs == 0) held_.emplace_back(b, model.blocks[b].velocity);
+  }
+  ~Attempt() {
+    if (kept_) return;
+    model_.contacts.swap(contacts_);
+    ledger_ = before_;
+    for (const auto& [block, velocity] : held_) model_.blocks[block].velocity = velocity;
+  }
+  Attempt(const Attempt&) = delete;
+  Attempt& operator=(const Attempt&) = delete;
+  void keep() { kept_ = true; }
+
+ private:
+  Model& model_;
+  Ledger& ledger_;
+  const Ledger before_;
+  std::vector<Contact>& contacts_;
+  std::vector<std::pair<size_t, std::array<double, max_dofs>>> held_;
+  bool kept_ = false;
+};
+
 std::string block_name(const Model& model, int block) {
   char text[160];
   const Vec2 at = model.blocks[block].centroid + model.origin;
@@ -43,6 +73,7 @@ StepReport Stepper::dynamic_step() {
   const Numerics& numerics = model_.scene.numerics;
   StepReport report;
   for (double dt = step_size_.next(model_.time);; dt = step_size_.next(model_.time), ++report.cuts) {
+    Attempt attempt(model_, plan_, ledger_, contacts_before_);
     // 1. Loads, fixities and prescribed motions belong to this step's times; see Scheme.
     const Scheme scheme = this->scheme(dt);
     if (plan_.held_blocks) move_held_blocks(model_, dt);
@@ -60,7 +91,7 @@ StepReport Stepper::dynamic_step() {
     report.iterations = result.iterations;
     report.residual = result.residual;
 
-    // 4. Not settled, or moved too far: nothing has been changed; again with a smaller step.
+    // 4. Not settled, or moved too far: everything as it was; again with a smaller step.
     std::vector<BlockState> moved;
     if (result.converged) {
       moved = moved_blocks(model_, scheme, d);
@@ -75,6 +106,7 @@ StepReport Stepper::dynamic_step() {
 
     // 5. The step is accepted: geometry, velocities, contact and joint states.
     accept(std::move(moved), scheme, d);
+    attempt.keep();
     if (numerics.integrator == Integrator::newmark && numerics.dynamic_parameter < 1) {
       ledger_.damping_work += (1 - numerics.dynamic_parameter * numerics.dynamic_parameter) * kinetic_energy(model_, 0);
       for (BlockState& state : model_.blocks)
@@ -128,7 +160,9 @@ std::string Stepper::settle() {
   return {};
 }
 
-void Stepper::visit_state(StateVisitor& visitor) { visitor("step_size", step_size_); }
+void Stepper::visit_state(StateVisitor& visitor) {
+  visitor("step_size", step_size_);
+}
 
 void Stepper::restored() {
   revision_ = -1;

@@ -8,9 +8,9 @@
 #include "equations/linear_solver.h"
 #include "model/state_visitor.h"
 #include "scene/plan.h"
-#include "step/open_close.h"
 #include "step/energies.h"
 #include "step/ledger.h"
+#include "step/open_close.h"
 #include "step/simulation.h"
 #include "step/time_control.h"
 
@@ -20,7 +20,8 @@ class Stepper {
  public:
   Stepper(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledger);
 
-  // One accepted step from model.time. Throws RunError when none can be accepted at the least time step.
+  // One accepted step from model.time. Throws RunError when none can be accepted at the least time step; the model
+  // is then as it was.
   StepReport dynamic_step();
   // Equilibrium under the loads of model.time; those of the step before were of `from`, `first`: there were none.
   StepReport load_step(double from, bool first);
@@ -59,6 +60,7 @@ class Stepper {
   JointTerms joints_;
   Supports supports_;
   ContactTerms contacts_;
+  std::vector<Contact> contacts_before_;  // the attempt at a step
   Poses poses_;
   System system_;
   LinearSolver solver_;
