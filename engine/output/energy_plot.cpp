@@ -41,6 +41,13 @@ void EnergyRecord::last(const Simulation& simulation) {
   if (step_ != simulation.totals.steps) add(simulation);
 }
 
+void EnergyRecord::visit_state(StateVisitor& visitor) {
+  visitor.growing("times", times_);
+  visitor.growing("samples", samples_);
+  visitor("stride", stride_);
+  visitor("step", step_);
+}
+
 std::string EnergyRecord::draw(const Plan& plan) const {
   Plot plot = {
       .title = "Energy (full: stored; dashed: put in, lost, unexplained)", .y_label = "E", .y_unit = "J/m"};

@@ -14,6 +14,7 @@ class EnergyRecord {
   void after_step(const Simulation& simulation);
   void last(const Simulation& simulation);  // the state now, whether its turn has come or not
   std::string draw(const Plan& plan) const;
+  void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
 
   size_t size() const { return times_.size(); }
 

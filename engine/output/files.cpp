@@ -70,7 +70,8 @@ std::string frame_name(const std::string& stem, int number, const std::string& e
 int frame_number(const std::string& name) {
   const std::size_t begin = name.find_last_of('_') + 1, end = name.find_last_of('.');
   int number = -1;
-  const auto [stop, error] = std::from_chars(name.data() + begin, name.data() + std::min(end, name.size()), number);
+  const auto [stop, error] =
+      std::from_chars(name.data() + begin, name.data() + std::min(end, name.size()), number);
   return error == std::errc() && stop == name.data() + end ? number : -1;
 }
 
@@ -102,8 +103,12 @@ void write_and_rename(const std::string& path, const std::string& content, bool 
 
 }  // namespace
 
-void write_whole(const std::string& path, const std::string& content) { write_and_rename(path, content, false); }
+void write_whole(const std::string& path, const std::string& content) {
+  write_and_rename(path, content, false);
+}
 
-void write_durably(const std::string& path, const std::string& content) { write_and_rename(path, content, true); }
+void write_durably(const std::string& path, const std::string& content) {
+  write_and_rename(path, content, true);
+}
 
 }  // namespace talus

@@ -31,6 +31,7 @@ struct RunOutput::Parts {
 
   void add_row(Simulation& simulation, const std::vector<UserArray>& arrays);
   void write_frame(Simulation& simulation);
+  void visit_state(StateVisitor& visitor);
 };
 
 void RunOutput::Parts::add_row(Simulation& simulation, const std::vector<UserArray>& arrays) {
@@ -106,14 +107,25 @@ RunOutput::RunOutput(Simulation& simulation, const std::string& command_line, bo
     if (*series) (*series)->read_back();
 }
 
+void RunOutput::Parts::visit_state(StateVisitor& visitor) {
+  visitor("frames", frames);
+  visitor("frame_step", frame_step);
+  visitor("row_step", row_step);
+  visitor("next", next);
+  visitor("residual", residual);
+  visitor("energies", energies);
+}
+
 void RunOutput::visit_state(StateVisitor& visitor) {
   Parts none;
-  Parts& parts = parts_ ? *parts_ : none;
-  visitor("frames", parts.frames);
-  visitor("frame_step", parts.frame_step);
-  visitor("row_step", parts.row_step);
-  visitor("next", parts.next);
-  visitor("residual", parts.residual);
+  (parts_ ? *parts_ : none).visit_state(visitor);
+}
+
+std::uint64_t RunOutput::layout() {
+  Parts none;
+  LayoutHasher hasher;
+  none.visit_state(hasher);
+  return hasher.value();
 }
 
 void RunOutput::rewind(const Simulation& simulation, const std::string& from) {

@@ -2,6 +2,7 @@
 // Everything a run writes: <dir>/blocks.pvd and joints.pvd with a .vtp each per output time, history.csv,
 // picture_<n>.svg, energy.svg, run.json. Files are written whole under a temporary name and renamed, so a reader never
 // sees half of one.
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ class RunOutput {
   void frame(Simulation& simulation);       // one output time now (sim:output())
   // How far the results have come; part of a saved state (the registry, model/registry.h).
   void visit_state(StateVisitor& visitor);
+  static std::uint64_t layout();  // which tables that writes
   // A state was restored from `from`: results of later steps leave history.csv and the series, which then tell one
   // course from the start to now.
   void rewind(const Simulation& simulation, const std::string& from);

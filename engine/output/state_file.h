@@ -11,7 +11,7 @@ struct SavedRun {
   long step = 0;
   double time = 0;  // s
   Fingerprint scene;
-  std::uint64_t layout = 0;    // of the tables in `engine`
+  std::uint64_t layout = 0;    // of the tables in `engine` and `output`
   std::string talus;           // version and commit that saved it
   std::string engine, output;  // Simulation::save, RunOutput
   std::string script;          // sim.state and the live fields of the script's objects (script/plain_data.h)

@@ -137,6 +137,12 @@ void Run::begin() {
     std::cerr << "note: " << (place.file.empty() ? "" : place.text() + ": ") << note << '\n';
 }
 
+std::uint64_t Run::layout() const {
+  Fnv hash;
+  hash.add(hex(simulation.layout()) + hex(RunOutput::layout()));
+  return hash.value();
+}
+
 SavedRun Run::save() const {
   StateWriter results;
   if (output_) output_->visit_state(results);
@@ -144,7 +150,7 @@ SavedRun Run::save() const {
           .step = simulation.totals.steps,
           .time = simulation.model.time,
           .scene = simulation.scene_fingerprint(),
-          .layout = simulation.layout(),
+          .layout = layout(),
           .talus = own_version(),
           .engine = simulation.save(),
           .output = std::move(results.bytes),
@@ -152,7 +158,7 @@ SavedRun Run::save() const {
 }
 
 void Run::check_fits(const SavedRun& saved) const {
-  if (saved.layout != simulation.layout())
+  if (saved.layout != layout())
     throw StateError("was saved by Talus " + saved.talus + ", which keeps other tables than this one, " +
                      own_version());
   check_same_scene(saved.scene, simulation.scene_fingerprint());

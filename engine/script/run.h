@@ -65,6 +65,7 @@ class Run {
  private:
   void begin();
   void start_output(const RunSettings& settings);
+  std::uint64_t layout() const;  // of the tables that save() writes
   void check_restart(const Restart& restart) const;
   void call_handler(const LuaFunction& handler);
 

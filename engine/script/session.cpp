@@ -74,8 +74,8 @@ void Session::read_restart() {
   try {
     restart_ = Restart{options_.restart, read_state(options_.restart)};
   } catch (const StateError& error) {
-    throw ScriptError(ErrorKind::input,
-                      "--restart: expected a saved state, got \"" + options_.restart + "\", which " + error.what());
+    throw ScriptError(ErrorKind::input, "--restart: expected a saved state, got \"" + options_.restart +
+                                            "\", which " + error.what());
   }
 }
 

@@ -64,8 +64,8 @@ void keep_largest(Ledger& ledger) {
 }  // namespace
 
 void visit_state(Ledger& ledger, StateVisitor& v) {
-  auto& [ahead, gravity_work, external_work, boundary_work, friction_work, damping_work, numerical_flow, start_energy,
-         start_shift, largest_work] = ledger;
+  auto& [ahead, gravity_work, external_work, boundary_work, friction_work, damping_work, numerical_flow,
+         start_energy, start_shift, largest_work] = ledger;
   v("ahead", ahead);
   v("gravity_work", gravity_work);
   v("external_work", external_work);
@@ -76,6 +76,14 @@ void visit_state(Ledger& ledger, StateVisitor& v) {
   v("start_energy", start_energy);
   v("start_shift", start_shift);
   v("largest_work", largest_work);
+}
+
+void visit_state(Energies& energies, StateVisitor& v) {
+  auto& [kinetic, strain, contact, gravity, total, external, boundary, friction, damping, numerical, unexplained,
+         scale] = energies;
+  for (double* energy : {&kinetic, &strain, &contact, &gravity, &total, &external, &boundary, &friction, &damping,
+                         &numerical, &unexplained, &scale})
+    v("energy", *energy);
 }
 
 void book_motion(const BookedStep& s, Ledger& ledger) {

@@ -38,6 +38,7 @@ struct Energies {
   double unexplained = 0;                                    // total - start - put in + lost
   double scale = 0;  // the larger of kinetic and stored energy at the start and the largest work put in
 };
+void visit_state(Energies& energies, StateVisitor& visitor);
 
 struct BookedStep {  // what an accepted step was solved with; the model is still as before it
   const Model& model;

@@ -12,7 +12,8 @@ namespace talus {
 
 void visit_state(RunTotals& totals, StateVisitor& v) {
   // parts: CPU time is the process's.
-  [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, largest_iterations, largest_residual, parts] = totals;
+  [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, largest_iterations, largest_residual, parts] =
+      totals;
   v("steps", steps);
   v("iterations", iterations);
   v("cuts", cuts);
@@ -104,7 +105,9 @@ Visitor Simulation::visited() const {
   return visitor;
 }
 
-std::string Simulation::save() const { return visited<StateWriter>().bytes; }
+std::string Simulation::save() const {
+  return visited<StateWriter>().bytes;
+}
 
 void Simulation::restore(const std::string& state) {
   const std::string before = save();
@@ -125,9 +128,13 @@ void Simulation::restore(const std::string& state) {
   stopped_ = false;
 }
 
-std::uint64_t Simulation::hash() const { return visited<StateHasher>().value(); }
+std::uint64_t Simulation::hash() const {
+  return visited<StateHasher>().value();
+}
 
-std::uint64_t Simulation::layout() const { return visited<LayoutHasher>().value(); }
+std::uint64_t Simulation::layout() const {
+  return visited<LayoutHasher>().value();
+}
 
 bool Simulation::finished() const {
   const TimeControl& time = model.scene.time;

@@ -53,8 +53,8 @@ class Simulation {
   void stop() { stopped_ = true; }
   bool begun() const { return begun_; }
 
-  // The state between two steps. restore() continues from it bit by bit; it throws StateError and leaves everything
-  // as it was when `state` is not of this scene.
+  // The state between two steps. restore() continues from it bit by bit; it throws StateError and leaves
+  // everything as it was when `state` is not of this scene.
   std::string save() const;
   void restore(const std::string& state);
   std::uint64_t hash() const;
