@@ -1,0 +1,93 @@
+-- What several hard cases share: energies, block shapes, a source of numbers that is the same on every machine.
+local tools = {}
+
+tools.g = 9.81
+
+-- Park–Miller numbers in [0, 1).
+function tools.random(seed)
+  local state = seed % 2147483647
+  if state == 0 then state = 1 end
+  return function()
+    state = (state*48271) % 2147483647
+    return (state - 1)/2147483646
+  end
+end
+
+-- Kinetic, strain, contact and gravity energy (J per metre). Contacts by their forces: N²/2kn + T²/2ks, with the default
+-- stiffness, α E/h per length (α = 100, h the smaller √area), ks = 0.4 kn, one modulus `young` in the whole scene.
+function tools.energy(sim, young, gravity)
+  local mass, centroid = sim.blocks:field "mass", sim.blocks:field "centroid"
+  local area, fixed = sim.blocks:field "area", sim.blocks:field "fixed"
+  local potential = 0
+  for i = 1, #mass do
+    if fixed[i] == 0 then potential = potential + mass[i]*gravity*centroid[i][2] end
+  end
+  local normal, shear, length = sim.contacts:field "normal_force", sim.contacts:field "shear_force", sim.contacts:field "length"
+  local bi, bj = sim.contacts:field "block_i", sim.contacts:field "block_j"
+  local contact = 0
+  for k = 1, #normal do
+    if normal[k] > 0 then
+      local h = math.sqrt(math.min(area[bi[k]], area[bj[k]]))
+      local kn = 100*young*(length[k] > 0 and length[k]/h or 0.5)
+      contact = contact + (normal[k]^2 + shear[k]^2/0.4)/(2*kn)
+    end
+  end
+  local e = sim.energy
+  return { kinetic = e.kinetic, strain = e.strain, contact = contact, gravity = potential,
+           total = e.kinetic + e.strain + contact + potential, moving = e.kinetic + e.strain + contact }
+end
+
+-- Steps a simulation to its end and keeps what the checks ask for. each(sim, status) is called after every step.
+function tools.watch(sim, each)
+  local seen = { steps = 0, cut_steps = 0, cuts = 0, iterations = 0, most_iterations = 0, most_cuts = 0, cuts_in_row = 0, fastest = 0 }
+  local row = 0
+  local cpu = os.clock()
+  local ok, message = pcall(function()
+    for status in sim:steps() do
+      seen.steps = seen.steps + 1
+      seen.cuts = seen.cuts + status.cuts
+      if status.cuts > 0 then seen.cut_steps = seen.cut_steps + 1 end
+      row = status.cuts > 0 and row + status.cuts or 0
+      seen.cuts_in_row = math.max(seen.cuts_in_row, row)
+      seen.most_cuts = math.max(seen.most_cuts, status.cuts)
+      seen.iterations = seen.iterations + status.iterations
+      seen.most_iterations = math.max(seen.most_iterations, status.iterations)
+      if each then each(sim, status) end
+    end
+  end)
+  seen.error = not ok and tostring(message) or nil
+  seen.cpu = os.clock() - cpu
+  seen.mean_dt = sim.time/math.max(1, seen.steps)
+  local engine = 0
+  for _, seconds in pairs(sim.totals.seconds) do engine = engine + seconds end
+  seen.per_step = engine/math.max(1, seen.steps)
+  return seen
+end
+
+-- One line of cost, which scripts/verify puts into docs/stability.md.
+function tools.cost(name, seen, blocks)
+  print(string.format("COST  %s  %d blocks, %d steps, mean dt %.3g s, %.2f iterations a step (most %d), %d cuts in %d steps, %.3g ms a step, %.1f s CPU",
+    name, blocks, seen.steps, seen.mean_dt, seen.iterations/math.max(1, seen.steps), seen.most_iterations, seen.cuts, seen.cut_steps,
+    1e3*seen.per_step, seen.cpu))
+  if seen.error then print("STOPPED  " .. name .. "  " .. seen.error) end
+end
+
+function tools.fastest(sim)
+  local most = 0
+  for _, v in ipairs(sim.blocks:field "speed") do most = math.max(most, v) end
+  return most
+end
+
+-- A convex polygon of `corners` corners at `at`, its size (mean diameter) `size`, corners on an ellipse of the given aspect.
+function tools.stone(random, at, size, corners, aspect)
+  local turn, points = 2*math.pi*random(), {}
+  local c, s = math.cos(turn), math.sin(turn)
+  for k = 1, corners do
+    local a = 2*math.pi*(k - 1 + 0.6*(random() - 0.5))/corners
+    local x, y = 0.5*size*math.cos(a), 0.5*size*math.sin(a)*(aspect or 1)
+    points[k] = { at[1] + c*x - s*y, at[2] + s*x + c*y }
+  end
+  return points
+end
+
+return tools
