@@ -22,7 +22,7 @@ local mesh = talus.simulation {
   regions = { talus.region { name = "rock", outline = talus.rect(0, 0, 15, 5), material = rock,
     holes = { talus.circle { at = hole, radius = 0.1, sides = 12, name = "hole" } },
     mesh = { size = talus.grade { { at = "hole", size = 0.3*size }, far = size } } } },
-  time = { mode = "dynamic", t_end = 1, max_steps = 0 },
+  time = { mode = "dynamic", t_end = 1, max_steps = 1 },
 }
 mesh:run()
 local thrown, kept, velocities = {}, {}, {}
@@ -42,7 +42,7 @@ end
 
 local regions = {
   talus.region { name = "bench", material = rock, held = true,
-    blocks = { talus.rect(-60, -4, -0.001, 5), talus.rect(15.001, -4, 75, 5), talus.rect(-60, -8, 75, -0.001) } },
+    blocks = { talus.rect(-60, 0, -0.001, 5), talus.rect(15.001, 0, 75, 5), talus.rect(-60, -8, 75, -0.001) } },
   talus.region { name = "thrown", blocks = thrown, material = rock },
 }
 if #kept > 0 then regions[3] = talus.region { name = "kept", blocks = kept, material = rock, held = true } end
