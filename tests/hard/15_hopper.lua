@@ -10,6 +10,7 @@ local rows = talus.param("rows", quick and 10 or 40, "layers of blocks at the st
 local columns = talus.param("columns", quick and 6 or 25, "blocks in a layer")
 local t_end = talus.param("t_end", quick and 3 or 6, "s")
 local dt = talus.param("dt", 0, "time step, s; 0: automatic")
+local friction = talus.param("friction", 30, "degrees")
 local young, L = 10e9, 0.1
 local rock = talus.material { name = "rock", density = 2500, young = young, poisson = 0.2 }
 local random = tools.random(15)
@@ -28,7 +29,7 @@ end
 local time = { mode = "dynamic", t_end = t_end }
 if dt > 0 then time.dt = dt end
 local sim = talus.simulation {
-  gravity = {0, -g}, contact = talus.joint { name = "rough", friction = math.rad(30) },
+  gravity = {0, -g}, contact = talus.joint { name = "rough", friction = math.rad(friction) },
   regions = {
     talus.region { name = "hopper", material = rock, held = true, blocks = {
       { {-outlet, bottom}, {-half, rise}, {-half, top}, {-half - L, top}, {-half - L, bottom} },

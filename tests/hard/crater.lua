@@ -12,9 +12,10 @@ local size = talus.param("size", quick and 0.9 or 0.28, "edge length of the tria
 local t_end = talus.param("t_end", quick and 0.5 or 3, "s")
 local loose = talus.param("loose", "crater", "crater or all")
 local speed = talus.param("speed", 15, "largest speed at the start, m/s")
+local friction = talus.param("friction", 45, "degrees")
 local young = 55e9
 local rock = talus.material { name = "rock", density = 2600, young = young, poisson = 0.3 }
-local joint = talus.joint { name = "joint", friction = math.rad(45) }
+local joint = talus.joint { name = "joint", friction = math.rad(friction) }
 local hole = {7.5, 2}
 
 -- The mesh, from a simulation that takes no step.

@@ -10,6 +10,7 @@ local rows = talus.param("rows", quick and 8 or 30, "layers at the start")
 local columns = talus.param("columns", quick and 5 or 10, "in a layer")
 local t_end = talus.param("t_end", quick and 3 or 6, "s")
 local dt = talus.param("dt", 0, "time step, s; 0: automatic")
+local friction = talus.param("friction", 30, "degrees")
 local young, L = 10e9, 0.1
 local rock = talus.material { name = "rock", density = 2500, young = young, poisson = 0.2 }
 local random = tools.random(7)
@@ -30,7 +31,7 @@ end
 local time = { mode = "dynamic", t_end = t_end }
 if dt > 0 then time.dt = dt end
 local sim = talus.simulation {
-  gravity = {0, -g}, contact = talus.joint { name = "rough", friction = math.rad(30) },
+  gravity = {0, -g}, contact = talus.joint { name = "rough", friction = math.rad(friction) },
   regions = { talus.region { name = "slab", material = rock, held = true, outline = talus.rect(-20, -1, 20, 0) },
               talus.region { name = "stones", blocks = stones, material = rock } },
   time = time, output = { every = 0.25, vtk = false, picture = "speed" },
