@@ -1,11 +1,12 @@
 -- 15. Jammed hopper, 1000 blocks: comes to rest (v < 1e-3 √(gL)); no speed above 1.05 √(2gH) on the way.
 -- Stones of three to seven corners, L = 0.1 m, fall into a funnel of 60° whose outlet is too narrow for them (0.7 L).
 -- Source: energy, half v² <= g H for a block by itself; H is the height of the highest block over the outlet.
--- Run: scripts/run tests/hard/15_hopper.lua -p quick=false     (quick: 60 blocks)
+-- Run: scripts/run tests/hard/15_hopper.lua -p full=true     (quick: 60 blocks)
 local talus = require "talus"
 local tools = require "tools"
 local g = tools.g
-local quick = talus.param("quick", true, "60 blocks instead of 1000")
+local full = talus.param("full", false, "1000 blocks instead of 60")
+local quick = not full
 local rows = talus.param("rows", quick and 10 or 40, "layers of blocks at the start")
 local columns = talus.param("columns", quick and 6 or 25, "blocks in a layer")
 local t_end = talus.param("t_end", quick and 3 or 6, "s")

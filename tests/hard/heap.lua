@@ -1,10 +1,11 @@
 -- A heap: stones dropped on a rough slab in a column come to rest in a pile.
 -- Source: energy (no step may gain 1e-6 of kinetic + stored) and rest: no block above 1e-3 of root(gL) at the end.
--- Run: scripts/run tests/hard/heap.lua -p quick=false     (quick: 40 stones; shape: stones, triangles, squares, needles)
+-- Run: scripts/run tests/hard/heap.lua -p full=true     (quick: 40 stones; shape: stones, triangles, squares, needles)
 local talus = require "talus"
 local tools = require "tools"
 local g = tools.g
-local quick = talus.param("quick", true, "40 stones instead of 300")
+local full = talus.param("full", false, "300 stones instead of 40")
+local quick = not full
 local shape = talus.param("shape", "stones", "stones, triangles, squares or needles")
 local rows = talus.param("rows", quick and 8 or 30, "layers at the start")
 local columns = talus.param("columns", quick and 5 or 10, "in a layer")

@@ -1,0 +1,48 @@
+-- 17. 10 to 1e5 blocks: time per step grows with exponent ≤ 1.05 flying, ≤ 1.4 at rest with the factor kept, ≤ 1.6 refactoring
+-- (bare CHOLMOD: 1.36 solve, 1.54 factor). Exponents between the two largest sizes and over the whole range.
+-- At rest: walls of bricks that stand; refactoring: the same walls, their step changed each time, which changes the matrix.
+-- Source: operation counts of nested dissection. Run: scripts/run tests/hard/17_growth.lua -p full=true
+local talus = require "talus"
+local full = talus.param("full", false, "up to 1e5 flying and 1e4 at rest; otherwise 1e4 and 900")
+local g = 9.81
+local rock = talus.material { name = "rock", density = 2600, young = 1e9, poisson = 0.25 }
+local joint = talus.joint { name = "bed", friction = math.rad(30) }
+
+local function seconds(sim, steps)
+  sim:step()
+  local cpu, factorisations = os.clock(), sim.totals.factorisations
+  for _ = 1, steps do sim:step() end
+  return (os.clock() - cpu)/steps, (sim.totals.factorisations - factorisations)/steps
+end
+local function flying(n)
+  local blocks = {}
+  for i = 1, n do
+    for j = 1, n do blocks[#blocks + 1] = talus.rect(1.5*i, 1.5*j, 1.5*i + 1, 1.5*j + 1) end
+  end
+  return talus.simulation { gravity = {0, -g}, contact = joint,
+    regions = { talus.region { name = "blocks", blocks = blocks, material = rock, velocity = {1, 0} } },
+    time = { mode = "dynamic", t_end = 1, dt = 1e-3 } }, #blocks
+end
+local function wall(n)
+  local sim = talus.simulation { gravity = {0, -g}, contact = joint,
+    regions = { talus.region { name = "slab", outline = talus.rect(-1, -1, n + 2, 0), material = rock, held = true },
+                talus.region { name = "wall", material = rock,
+                  blocks = talus.running_bond { at = {0, 0}, courses = n, per_course = n, length = 1, height = 0.5 } } },
+    time = { mode = "dynamic", t_end = 1, dt = 1e-3, start = "settled" } }
+  return sim, #sim.blocks
+end
+local function growth(name, make, sizes, steps, bound)
+  local counts, times = {}, {}
+  for i, n in ipairs(sizes) do
+    local sim, count = make(n)
+    local time, factorisations = seconds(sim, steps[i])
+    counts[i], times[i] = count, time
+    print(string.format("COST  %s  %d blocks, %.3g ms a step, %.2f factorisations a step", name, count, 1e3*time, factorisations))
+    sim:stop()
+  end
+  local last = #sizes
+  local function exponent(a, b) return math.log(times[b]/times[a])/math.log(counts[b]/counts[a]) end
+  talus.check.below(name .. ": exponent between the two largest", exponent(last - 1, last), bound)
+end
+growth("flying", flying, full and { 4, 10, 32, 100, 316 } or { 10, 32, 100 }, full and { 200, 100, 30, 10, 4 } or { 100, 30, 10 }, 1.05)
+growth("at rest", wall, full and { 4, 10, 20, 40, 70, 100 } or { 10, 20, 30 }, full and { 200, 100, 50, 20, 10, 6 } or { 100, 40, 20 }, 1.4)
