@@ -28,12 +28,15 @@ struct Pose {
     return shift + turned +
            rotation.turn({strain[0] * x + strain[2] / 2 * y, strain[2] / 2 * x + strain[1] * y});
   }
-  // Displacement of the point `at` along `direction` under unit unknowns (first-order displacement functions,
-  // Shi 1988, in the block's own axes and divided by its length). A rigid block uses the first three.
+  // Derivative of the place of the material point now at `at`, along `direction`, by the unknowns: of place() above, so
+  // that strain works on the undeformed arm (Shi 1988 takes the deformed one, which makes every stress wrong by its
+  // strain). In the block's own axes, divided by its length. A rigid block uses the first three.
   Row row(const Vec2& at, const Vec2& direction) const {
     const Vec2 x = rotation.back(at - centroid) / length, n = rotation.back(direction);
-    return {direction.x(), direction.y(), cross(x, n), x.x() * n.x(), x.y() * n.y(),
-            (x.y() * n.x() + x.x() * n.y()) / 2};
+    const double a = 1 + strain[0], b = strain[2] / 2, c = 1 + strain[1], det = a * c - b * b;
+    const Vec2 arm((c * x.x() - b * x.y()) / det, (a * x.y() - b * x.x()) / det);
+    return {direction.x(), direction.y(), cross(x, n), arm.x() * n.x(), arm.y() * n.y(),
+            (arm.y() * n.x() + arm.x() * n.y()) / 2};
   }
   Vec2 velocity_at(const Vec2& in_block) const {
     const Vec2 arm = place(in_block) - centroid;

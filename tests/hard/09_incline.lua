@@ -38,3 +38,12 @@ for _, dt in ipairs(full and { 1e-2, 1e-3, 1e-4 } or { 1e-2, 1e-3 }) do
   end
   talus.check.below(string.format("incline 30 degrees, friction 10 to 29, dt %g s: largest error (at %g degrees)", dt, at), worst, 1e-5)
 end
+
+-- Another slope, and one that holds: 25 degrees at 15, 30 at 31.
+local other, limit = math.rad(25), math.rad(15)
+talus.check.near("incline 25 degrees, friction 15, dt 0.01 s: way in 2 s, m", slide(other, limit, { mode = "dynamic", t_end = 2, dt = 1e-2, start = "settled" }),
+                 0.5*g*(math.sin(other) - math.cos(other)*math.tan(limit))*4, { rel = 1e-5 })
+local _, stuck = slide(alpha, math.rad(31), { mode = "dynamic", t_end = 10, dt = 1e-2, start = "settled" })
+local slip = 0
+for _, contact in ipairs(stuck.contacts:select(function(c) return c.normal_force > 0 end)) do slip = math.max(slip, math.abs(contact.slip)) end
+talus.check.below("incline 30 degrees, friction 31: plastic slip in 10 s, m", slip, 1e-9)

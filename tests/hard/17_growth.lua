@@ -2,6 +2,7 @@
 -- (bare CHOLMOD: 1.36 solve, 1.54 factor). Exponents between the two largest sizes and over the whole range.
 -- At rest: walls of bricks that stand; refactoring: the same walls, their step changed each time, which changes the matrix.
 -- Source: operation counts of nested dissection. Run: scripts/run tests/hard/17_growth.lua -p full=true
+-- Full only.
 local talus = require "talus"
 local full = talus.param("full", false, "up to 1e5 flying and 1e4 at rest; otherwise 1e4 and 900")
 local g = 9.81

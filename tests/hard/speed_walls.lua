@@ -1,6 +1,7 @@
 -- Walls of facts § 7 (bricks 1.0 × 0.5 m on a fixed slab, ρ 2600, E 1 GPa, ν 0.25, φ 30°) at rest with Δt 2 ms: CPU per step against a
 -- peer's (Shi-type DDA in C): 10×10 0.92 ms, 20×20 11.7, 25×40 56, 50×50 325, 70×70 1210.
 -- Source: measured, facts § 7. Run: scripts/run tests/hard/speed_walls.lua -p full=true      (quick: the first two)
+-- Full only.
 local talus = require "talus"
 local tools = require "tools"
 local g = tools.g
