@@ -106,27 +106,62 @@ void ContactSearch::find_surface(const Model& model) {
                                        [](const Joint& joint) { return joint.state == JointState::intact; }));
   if (intact == intact_joints_) return;
   intact_joints_ = intact;
-  free_edge_.assign(model.reference_vertex.size(), 1);
+  surface_.free_edge.assign(model.reference_vertex.size(), 1);
   bonded_.clear();
   for (const Joint& joint : model.joints) {
     if (joint.state != JointState::intact) continue;
-    free_edge_[model.shapes[joint.a].vertex_begin + joint.edge_a] = 0;
-    free_edge_[model.shapes[joint.b].vertex_begin + joint.edge_b] = 0;
+    surface_.free_edge[model.shapes[joint.a].vertex_begin + joint.edge_a] = 0;
+    surface_.free_edge[model.shapes[joint.b].vertex_begin + joint.edge_b] = 0;
     bonded_.insert(pair_key(joint.a, joint.b));
   }
   bond_corners(model, bonded_);
+  find_outlines(model);
   surface_blocks_.clear();
-  for (size_t b = 0; b < model.shapes.size(); ++b)
-    if (std::find(&free_edge_[model.shapes[b].vertex_begin], free_edge_.data() + model.shapes[b].vertex_end, 1) !=
-        free_edge_.data() + model.shapes[b].vertex_end)
-      surface_blocks_.push_back(int(b));
+  for (size_t b = 0; b < model.shapes.size(); ++b) {
+    const char* const edges = surface_.free_edge.data();
+    const char* const end = edges + model.shapes[b].vertex_end;
+    if (std::find(edges + model.shapes[b].vertex_begin, end, 1) != end) surface_blocks_.push_back(int(b));
+  }
+}
+
+// Where a block ends in a bond, the outline goes on along the block beyond it, and so on round the corner to a free edge.
+void ContactSearch::find_outlines(const Model& model) {
+  struct Side {
+    int block, edge;
+  };
+  std::unordered_map<int, Side> beyond;  // by global edge
+  for (const Joint& joint : model.joints) {
+    if (joint.state != JointState::intact) continue;
+    beyond[model.shapes[joint.a].vertex_begin + joint.edge_a] = {joint.b, joint.edge_b};
+    beyond[model.shapes[joint.b].vertex_begin + joint.edge_b] = {joint.a, joint.edge_a};
+  }
+  surface_.ahead.resize(model.reference_vertex.size());
+  surface_.behind.resize(model.reference_vertex.size());
+  const auto previous = [&](int b, int v) { return v == 0 ? model.vertex_count(b) - 1 : v - 1; };
+  for (int b = 0; b < int(model.shapes.size()); ++b)
+    for (int v = 0; v < model.vertex_count(b); ++v) {
+      const int begin = model.shapes[b].vertex_begin;
+      Side ahead{b, v}, behind{b, previous(b, v)};  // edges that leave and reach the corner
+      const auto global = [&](const Side& side) { return model.shapes[side.block].vertex_begin + side.edge; };
+      // A corner inside a body is met again: it keeps its own edges, which touch nothing.
+      for (auto next = beyond.find(global(ahead)); next != beyond.end(); next = beyond.find(global(ahead))) {
+        ahead = {next->second.block, model.next_vertex(next->second.block, next->second.edge)};
+        if (ahead.block == b) break;
+      }
+      for (auto last = beyond.find(global(behind)); last != beyond.end(); last = beyond.find(global(behind))) {
+        behind = {last->second.block, previous(last->second.block, last->second.edge)};
+        if (behind.block == b) break;
+      }
+      surface_.ahead[begin + v] = model.shapes[ahead.block].vertex_begin + model.next_vertex(ahead.block, ahead.edge);
+      surface_.behind[begin + v] = global(behind);
+    }
 }
 
 void ContactSearch::update(Model& model, double dt) {
   find_surface(model);
   std::vector<Contact> now;
   for (const auto& [a, b] : broad_phase(model, surface_blocks_, dt))
-    if (!bonded_.contains(pair_key(a, b))) find_contacts(model, free_edge_, a, b, dt, now);
+    if (!bonded_.contains(pair_key(a, b))) find_contacts(model, surface_, a, b, dt, now);
   std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
   carry_over(model, now);
   model.contacts = std::move(now);

@@ -18,6 +18,13 @@ constexpr double search_margin = 0.05;
 // are left out.
 std::vector<std::pair<int, int>> broad_phase(const Model& model, const std::vector<int>& blocks, double dt);
 
+// The outlines of bodies: of blocks, and of blocks bonded to each other, all by global vertex.
+struct Surface {
+  std::vector<char> free_edge;     // no intact joint covers the edge that begins here; others cannot touch
+  std::vector<int> ahead, behind;  // outline's next and last corner, of a block of the same body round this one: what the
+                                   // body is at a corner, of which one block is only a part
+};
+
 class ContactSearch {
  public:
   // Replaces Model::contacts by the candidates of the next step, in order of (vertex, edge). Contacts that go
@@ -26,10 +33,11 @@ class ContactSearch {
 
  private:
   void find_surface(const Model& model);
+  void find_outlines(const Model& model);
 
   int intact_joints_ = -1;          // the surface is found anew when this changes
   std::vector<int> surface_blocks_;  // blocks with a free edge
-  std::vector<char> free_edge_;      // per edge (by its first vertex): no intact joint covers it
+  Surface surface_;
   std::unordered_set<std::int64_t> bonded_;  // pairs glued along an edge, or round a corner they share
 };
 

@@ -27,9 +27,9 @@ struct Edge {
 
 class Pair {
  public:
-  Pair(const Model& model, const std::vector<char>& free_edge, int i, int j, double reach, double dt)
+  Pair(const Model& model, const Surface& surface, int i, int j, double reach, double dt)
       : model_(model),
-        free_edge_(free_edge),
+        surface_(surface),
         i_(i),
         j_(j),
         reach_(reach),
@@ -50,13 +50,18 @@ class Pair {
     return {from, along, -perp(along), length};
   }
 
-  bool free(int block, int edge) const { return free_edge_[model_.shapes[block].vertex_begin + edge]; }
+  bool free(int block, int edge) const { return surface_.free_edge[model_.shapes[block].vertex_begin + edge]; }
   bool exposed(int block, int v) const { return free(block, v) || free(block, previous(block, v)); }
 
-  // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both its edges lead away.
+  // The outline's directions away from the corner `v` of `block`, forwards and backwards, of the whole body there: a node
+  // on the flat side of a mesh is no corner, though the block is.
+  Vec2 ahead(int block, int v) const { return model_.vertex[surface_.ahead[global(block, v)]] - vertex(block, v); }
+  Vec2 behind(int block, int v) const { return model_.vertex[surface_.behind[global(block, v)]] - vertex(block, v); }
+  int global(int block, int v) const { return model_.shapes[block].vertex_begin + v; }
+
+  // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both sides of the body lead away.
   bool can_rest(int block, int v, const Vec2& n) const {
-    const Vec2 p = vertex(block, v);
-    return leads_away(vertex(block, next(block, v)) - p, n) && leads_away(vertex(block, previous(block, v)) - p, n);
+    return leads_away(ahead(block, v), n) && leads_away(behind(block, v), n);
   }
 
   Contact contact(int block_v, int v, int block_e, int e, double gap, bool corner) const {
@@ -93,8 +98,7 @@ class Pair {
     const double approach = std::abs(face.normal.dot(way)), slide = std::abs(face.along.dot(way));
     if (std::abs(face.gap(p)) > flush() || approach > std::max(flush(), grazing_slope * slide)) return false;
     if (!can_rest(bv, v, face.normal)) return false;
-    const Vec2 ahead = vertex(bv, next(bv, v)) - p, behind = vertex(bv, previous(bv, v)) - p;
-    return lies_along(ahead, face.normal) || lies_along(behind, face.normal);
+    return lies_along(ahead(bv, v), face.normal) || lies_along(behind(bv, v), face.normal);
   }
 
   // Whether corner `v` of `bv`, at the place `s` along edge `e` of `be`, passes its end flush with the face beyond it.
@@ -121,7 +125,7 @@ class Pair {
   }
 
   const Model& model_;
-  const std::vector<char>& free_edge_;
+  const Surface& surface_;
   int i_, j_;
   double reach_, dt_, least_;
 };
@@ -231,14 +235,13 @@ void drop_twins(const Pair& pair, size_t first, std::vector<Contact>& found) {
 
 }  // namespace
 
-void find_contacts(const Model& model, const std::vector<char>& free_edge, int a, int b, double dt,
-                   std::vector<Contact>& found) {
+void find_contacts(const Model& model, const Surface& surface, int a, int b, double dt, std::vector<Contact>& found) {
   const auto spin = [&](int k) { return std::abs(model.blocks[k].velocity[2]) / model.shapes[k].length * model.shapes[k].radius; };
   const Vec2 approach(model.blocks[a].velocity[0] - model.blocks[b].velocity[0],
                       model.blocks[a].velocity[1] - model.blocks[b].velocity[1]);
   const double reach = search_margin * std::min(model.shapes[a].length, model.shapes[b].length) +
                        1.5 * dt * (approach.norm() + spin(a) + spin(b));
-  const Pair pair(model, free_edge, a, b, reach, dt);
+  const Pair pair(model, surface, a, b, reach, dt);
   const size_t first = found.size();
   vertices_on_edges(pair, model, a, b, found);
   vertices_on_edges(pair, model, b, a, found);

@@ -2,6 +2,7 @@
 // Vertex–edge candidates of one pair of blocks.
 #include <vector>
 
+#include "contact/detection.h"
 #include "model/model.h"
 
 namespace talus {
@@ -10,8 +11,6 @@ namespace talus {
 // Kinds: edge_edge where an edge of the vertex lies along the other block's edge within parallel_angle;
 // angle_edge; angle_angle where two corners meet (one contact, on the edge that is penetrated last: the
 // entrance line of Shi 1988).
-// `free_edge` tells, by an edge's first vertex, which edges no intact joint covers; others cannot touch.
-void find_contacts(const Model& model, const std::vector<char>& free_edge, int a, int b, double dt,
-                   std::vector<Contact>& found);
+void find_contacts(const Model& model, const Surface& surface, int a, int b, double dt, std::vector<Contact>& found);
 
 }  // namespace talus

@@ -130,6 +130,19 @@ TEST(Contacts, BondedBlocksRoundACornerHaveNone) {
   EXPECT_TRUE(model.contacts.empty());
 }
 
+// A node in the flat side of a bonded plate is a corner of its blocks but none of the plate: a point below presses on
+// edges, and no block rests with that "corner" on the point's slanting faces.
+TEST(Contacts, ANodeOnAFlatSideIsNoCorner) {
+  Model model = build(scene_of({test::patterned("plate", rectangle(0, 0, 4, 1), MeshKind::cross, 8, 2), region("point", {{1, 0}, {0.7, -0.5}, {1.3, -0.5}})}));
+  ContactSearch search;
+  search.update(model, 0);
+  ASSERT_EQ(model.contacts.size(), 2u);
+  for (const Contact& c : model.contacts) {
+    EXPECT_EQ(model.shapes[c.i].region, 1);
+    EXPECT_EQ(model.shapes[c.j].region, 0);
+  }
+}
+
 TEST(Contacts, BondedNeighboursHaveNone) {
   Model model = build(scene_of({test::meshed("plate", rectangle(0, 0, 3, 2), 0.5)}));
   ContactSearch search;
