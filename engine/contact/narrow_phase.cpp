@@ -101,10 +101,27 @@ class Pair {
     return lies_along(ahead(bv, v), face.normal) || lies_along(behind(bv, v), face.normal);
   }
 
-  // Whether corner `v` of `bv`, at the place `s` along edge `e` of `be`, passes its end flush with the face beyond it.
+  // Whether corner `v` of `bv`, at the place `s` along edge `e` of `be`, passes its end flush with the face beyond it: at
+  // an outer corner. At an inner one that face is a wall, and the corner slides down it onto the edge.
   bool passes_flush(int bv, int v, int be, int e, double s, double length) const {
     const auto on = [&](int beyond) { return free(be, beyond) && slides_on(bv, v, be, beyond); };
-    return (s <= flush() && on(previous(be, e))) || (s >= length - flush() && on(next(be, e)));
+    return (s <= flush() && on(previous(be, e)) && !inner(be, e)) ||
+           (s >= length - flush() && on(next(be, e)) && !inner(be, next(be, e)));
+  }
+
+  // Whether the outline turns inwards at corner `v` of `block`.
+  bool inner(int block, int v) const {
+    const Vec2 d = ahead(block, v), b = behind(block, v);
+    return cross(d, b) < -parallel_sine * d.norm() * b.norm();
+  }
+
+  // Whether a corner at the place `s` along edge `e` of `be` is on it. At an inner corner the edge goes on under the
+  // wall, where a corner that presses on both is.
+  bool within(int be, int e, double s, double length) const {
+    const double slack = corner_part * length;
+    if (s < -slack) return s > deepest() && inner(be, e);
+    if (s > length + slack) return s < length - deepest() && inner(be, next(be, e));
+    return true;
   }
 
  private:
@@ -167,7 +184,7 @@ void vertices_on_edges(const Pair& pair, const Model& model, int bv, int be, std
       const Edge edge = pair.edge(be, e);
       const double gap = edge.gap(p), s = edge.position(p);
       if (gap > pair.reach() || gap < pair.deepest()) continue;
-      if (s < -corner_part * edge.length || s > (1 + corner_part) * edge.length) continue;
+      if (!pair.within(be, e, s, edge.length)) continue;
       if (gap > -pair.flush() && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
       if (pair.can_rest(bv, v, edge.normal)) candidates.push_back({e, gap});
     }
@@ -184,6 +201,7 @@ bool touches(const Contact& c, int block_v, int v, int block_e, int e0, int e1) 
 void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<Contact>& found) {
   const int i = pair.i(), j = pair.j();
   if ((pair.vertex(i, v) - pair.vertex(j, w)).norm() > pair.reach()) return;
+  if (pair.inner(i, v) || pair.inner(j, w)) return;  // two faces, each met by itself
   const int w0 = pair.previous(j, w), v0 = pair.previous(i, v);  // edges before the corners; those after bear its number
   for (size_t c = first; c < found.size(); ++c)
     if (touches(found[c], i, v, j, w, w0) || touches(found[c], j, w, i, v, v0)) return;
