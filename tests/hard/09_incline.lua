@@ -30,13 +30,13 @@ local way = slide(alpha, alpha*(1 - 1e-3), { mode = "dynamic", t_end = t, dt = 1
 talus.check.near("friction at 1 - 1e-3 of the slope: acceleration, m/s2", 2*way/t^2, slope(alpha*(1 - 1e-3)), { rel = 0.01 })
 local t_end = 2
 for _, dt in ipairs(full and { 1e-2, 1e-3, 1e-4 } or { 1e-2, 1e-3 }) do
-  local worst, at = 0, 0
+  local worst = 0
   for degrees = 10, 29, full and 1 or 4.75 do
     local expected = 0.5*slope(math.rad(degrees))*t_end^2
     local off = math.abs(slide(alpha, math.rad(degrees), { mode = "dynamic", t_end = t_end, dt = dt, start = "settled" })/expected - 1)
-    if off > worst then worst, at = off, degrees end
+    worst = math.max(worst, off)
   end
-  talus.check.below(string.format("incline 30 degrees, friction 10 to 29, dt %g s: largest error (at %g degrees)", dt, at), worst, 1e-5)
+  talus.check.below(string.format("incline 30 degrees, friction 10 to 29, dt %g s: largest error", dt), worst, 1e-5)
 end
 
 -- Another slope, and one that holds: 25 degrees at 15, 30 at 31.

@@ -41,7 +41,7 @@ for _, degrees in ipairs(only < 0 and { 0, 45 } or { only }) do
   local before, gain = tools.energy(sim, young, g), 0
   local seen = tools.watch(sim, function()
     local now = tools.energy(sim, young, g)
-    gain, before = math.max(gain, (now.total - before.total)/before.moving), now
+    gain, before = math.max(gain, tools.gain(before, now, sim.dt)/before.moving), now
   end)
   local label = string.format("loose mesh of %d, friction %d: ", #blocks, degrees)
   tools.cost(label, seen, #blocks)

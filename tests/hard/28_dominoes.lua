@@ -20,7 +20,7 @@ local before, gain, fastest = tools.energy(sim, young, g), 0, 0
 local start = before.total
 local seen = tools.watch(sim, function()
   local now = tools.energy(sim, young, g)
-  gain, before = math.max(gain, (now.total - before.total)/start), now
+  gain, before = math.max(gain, tools.gain(before, now, sim.dt)/start), now
   fastest = math.max(fastest, tools.fastest(sim))
 end)
 tools.cost("dominoes", seen, n)

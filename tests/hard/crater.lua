@@ -57,7 +57,7 @@ local before = tools.energy(sim, young, g)
 local start, gain, gains = before.total, 0, 0
 local seen = tools.watch(sim, function()
   local now = tools.energy(sim, young, g)
-  local part = (now.total - before.total)/math.max(before.moving, 1e-9*start)
+  local part = tools.gain(before, now, sim.dt)/math.max(before.moving, 1e-9*start)
   if part > 1e-6 then gains = gains + 1 end
   gain, before = math.max(gain, part), now
 end)
