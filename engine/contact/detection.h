@@ -38,6 +38,7 @@ class ContactSearch {
   int intact_joints_ = -1;          // the surface is found anew when this changes
   std::vector<int> surface_blocks_;  // blocks with a free edge
   Surface surface_;
+  double time_ = 0, last_dt_ = 0;    // s, of the last search of another time, and the accepted step since
   std::unordered_set<std::int64_t> bonded_;  // pairs glued along an edge, or round a corner they share
 };
 
