@@ -1,6 +1,6 @@
 -- 31. A square hits the floor in a step of 1 ms, and the next steps are shorter: no step gains 1e-6 of the energy at the start.
 -- Source: energy. Ours: after a hit the block lies Δt/4 · v deeper than where the scheme looks for contacts; a shorter step found that depth as
--- a load, and threw the block up with many times its energy. The short step is made by the end of the run: half of them left over. (0.1 s CPU)
+-- a load, and threw the block up with many times its energy. The short step is what the end of the run leaves. (0.1 s CPU)
 local talus = require "talus"
 local tools = require "tools"
 local g, young = tools.g, 10e9
