@@ -143,6 +143,22 @@ TEST(Contacts, ANodeOnAFlatSideIsNoCorner) {
   }
 }
 
+// In the inner corner of a slot a corner presses on the wall and on the bottom, however little it has entered the wall.
+TEST(Contacts, InnerCornersHaveTwoFaces) {
+  const Polyline fork = {{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  for (const double into : {-1e-6, 0.0, 1e-6}) {
+    const Model model = searched({fork, rectangle(1 - into, 1 + 1e-6, 1.9, 2.5)});
+    int wall = 0, bottom = 0;
+    for (const Contact& c : model.contacts) {
+      if (c.i != 1 || c.vertex != 0) continue;
+      wall += c.edge == 5;
+      bottom += c.edge == 4;
+    }
+    EXPECT_EQ(wall, 1) << into;
+    EXPECT_EQ(bottom, 1) << into;
+  }
+}
+
 TEST(Contacts, BondedNeighboursHaveNone) {
   Model model = build(scene_of({test::meshed("plate", rectangle(0, 0, 3, 2), 0.5)}));
   ContactSearch search;
