@@ -4,7 +4,8 @@
 local talus = require "talus"
 local tools = require "tools"
 local g = tools.g
-local n = talus.param("n", 3, "squares of four triangles along a side")
+local full = talus.param("full", false, "36 triangles instead of 16")
+local n = talus.param("n", full and 3 or 2, "squares of four triangles along a side")
 local only = talus.param("friction", -1, "degrees; -1: 0 and 45")
 local young = 55e9
 local rock = talus.material { name = "rock", density = 2600, young = young, poisson = 0.3 }
