@@ -147,7 +147,7 @@ TEST(Contacts, ANodeOnAFlatSideIsNoCorner) {
 TEST(Contacts, InnerCornersHaveTwoFaces) {
   const Polyline fork = {{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   for (const double into : {-1e-6, 0.0, 1e-6}) {
-    const Model model = searched({fork, rectangle(1 - into, 1 + 1e-6, 1.9, 2.5)});
+    const Model model = searched({fork, rectangle(1 - into, 1 + 1e-6, 0.9, 1.5)});
     int wall = 0, bottom = 0;
     for (const Contact& c : model.contacts) {
       if (c.i != 1 || c.vertex != 0) continue;
