@@ -98,6 +98,35 @@ void forgive_depth(Model& model, double dt) {
   }
 }
 
+// Where three or more bodies meet in a point, as round a node of a loose mesh, they hold each other by their faces. Two of
+// them that share none touch in that point only: what keeps them apart is what lies between, and a contact there would
+// bar ways that are free. They may press once the corners have parted.
+void drop_points(const Model& model, const std::vector<MeetingCorners>& meeting,
+                 const std::unordered_set<std::int64_t>& bonded, std::vector<Contact>& found) {
+  constexpr int none = -1, several = -2;
+  std::vector<int> other(model.vertex.size(), none);  // block of the other body that has a corner in the same place
+  const auto meets = [&](int corner, int block) {
+    int& met = other[corner];
+    if (met == none)
+      met = block;
+    else if (met != block && met != several && !bonded.contains(pair_key(met, block)))
+      met = several;
+  };
+  for (const MeetingCorners& m : meeting) {
+    meets(m.corner_a, m.b);
+    meets(m.corner_b, m.a);
+  }
+  std::erase_if(found, [&](const Contact& c) {
+    if (c.kind != ContactKind::angle_angle) return false;
+    const double near = meeting_distance(model, c.i, c.j);
+    for (const int end : {c.global_edge, model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)})
+      if ((other[c.global_vertex] == several || other[end] == several) &&
+          (model.vertex[c.global_vertex] - model.vertex[end]).norm() <= near)
+        return true;
+    return false;
+  });
+}
+
 // Adds the blocks that hang together round a corner through intact joints at that corner, but not those that
 // face each other across an open joint that ends there.
 void bond_corners(const Model& model, std::unordered_set<std::int64_t>& bonded) {
@@ -178,8 +207,10 @@ void ContactSearch::find_outlines(const Model& model) {
 void ContactSearch::update(Model& model, double dt) {
   find_surface(model);
   std::vector<Contact> now;
+  std::vector<MeetingCorners> meeting;
   for (const auto& [a, b] : broad_phase(model, surface_blocks_, dt))
-    if (!bonded_.contains(pair_key(a, b))) find_contacts(model, surface_, a, b, dt, now);
+    if (!bonded_.contains(pair_key(a, b))) find_contacts(model, surface_, a, b, dt, now, meeting);
+  drop_points(model, meeting, bonded_, now);
   std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
   carry_over(model, now);
   model.contacts = std::move(now);

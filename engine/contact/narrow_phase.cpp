@@ -13,6 +13,11 @@ namespace {
 constexpr double parallel_sine = 0.052;
 // Corners that meet within this part of an edge's length count as on it: rounding, not geometry.
 constexpr double corner_part = 1e-9;
+// Corners within this part of the smaller block's √area are in one place: a node of a mesh that has been shaken.
+constexpr double meeting_part = 1e-3;
+// An edge–edge contact is as stiff as one of at least this part of the smaller block's √area: what touches with a hair's
+// breadth now and slides on must not stay as soft as a hair.
+constexpr double least_shared = 0.1;
 // A corner that stays this near to the plane of a face, in units of the smaller block's √area, with an edge along the
 // face, slides on it and does not catch on the face round its end: coplanar blocks pass their load on without a snag.
 constexpr double flush_part = 1e-4;
@@ -82,14 +87,21 @@ class Pair {
       c.normal_stiffness = property.stiffness;
     } else {
       const double young = std::min(model_.material(i_).young, model_.material(j_).young);
-      c.normal_stiffness = property.stiffness * young / least_ * (shared > 0 ? shared : least_) / 2;
+      c.normal_stiffness = property.stiffness * young / least_ * (shared > 0 ? std::max(shared, least_shared * least_) : least_) / 2;
     }
     c.shear_stiffness = c.normal_stiffness * property.shear_ratio;
     return c;
   }
 
   double deepest() const { return -0.25 * least_; }
+  double least() const { return least_; }
+  double meeting() const { return meeting_part * least_; }
   double flush() const { return flush_part * least_; }
+  // Change of the gap of corner `v` of `bv` to `face` of `be` during the step, at the present velocities, m.
+  double approach(int bv, int v, int be, const Edge& face) const {
+    const Vec2 p = vertex(bv, v);
+    return dt_ * face.normal.dot(model_.velocity_at(bv, p) - model_.velocity_at(be, p));
+  }
   // Whether corner `v` of `bv` is flush with edge `e` of `be`, at or beyond its ends, and stays so during the step.
   bool slides_on(int bv, int v, int be, int e) const {
     const Edge face = edge(be, e);
@@ -136,7 +148,7 @@ class Pair {
       const Vec2 q = vertex(block, other);
       if (std::abs(e.normal.dot(q - p)) > parallel_sine * (q - p).norm()) continue;
       const double s0 = std::clamp(e.position(p), 0.0, e.length), s1 = std::clamp(e.position(q), 0.0, e.length);
-      shared = std::max(shared, std::abs(s1 - s0));
+      if (std::abs(s1 - s0) > corner_part * e.length) shared = std::max(shared, std::abs(s1 - s0));
     }
     return shared;
   }
@@ -193,33 +205,40 @@ void vertices_on_edges(const Pair& pair, const Model& model, int bv, int be, std
   }
 }
 
-bool touches(const Contact& c, int block_v, int v, int block_e, int e0, int e1) {
-  return c.i == block_v && c.vertex == v && c.j == block_e && (c.edge == e0 || c.edge == e1);
-}
-
-// Corner `v` of i against corner `w` of j, where neither rests on an edge at the other.
-void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<Contact>& found) {
+// Corner `v` of i near corner `w` of j: one contact at most, unless edges lie along each other. Two convex corners are
+// apart while any of the lines that one of them can rest on still separates them, so of all choices that one counts
+// which is penetrated last (Shi 1988, entrance line), by where this step's velocities lead: where corners coincide, as
+// all do round a node of a mesh, the gaps themselves tell nothing, and any other choice would bar a way that is free.
+void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<Contact>& found,
+                      std::vector<MeetingCorners>& meeting) {
   const int i = pair.i(), j = pair.j();
-  if ((pair.vertex(i, v) - pair.vertex(j, w)).norm() > pair.reach()) return;
+  const double distance = (pair.vertex(i, v) - pair.vertex(j, w)).norm();
+  if (distance > pair.reach()) return;
   if (pair.inner(i, v) || pair.inner(j, w)) return;  // two faces, each met by itself
   const int w0 = pair.previous(j, w), v0 = pair.previous(i, v);  // edges before the corners; those after bear its number
+  if (distance <= pair.meeting()) meeting.push_back({i, pair.global(i, v), j, pair.global(j, w)});
+  const auto is_here = [&](const Contact& c) {
+    return (c.i == i && c.vertex == v && c.j == j && (c.edge == w || c.edge == w0)) ||
+           (c.i == j && c.vertex == w && c.j == i && (c.edge == v || c.edge == v0));
+  };
   for (size_t c = first; c < found.size(); ++c)
-    if (touches(found[c], i, v, j, w, w0) || touches(found[c], j, w, i, v, v0)) return;
+    if (is_here(found[c]) && found[c].kind == ContactKind::edge_edge) return;
   struct Choice {
     int block_v, vertex, block_e, edge;
-    double gap;
+    double gap, ahead;  // m, now and at the end of the step
+    double beyond;      // m, from the edge's nearer end, outside it
   };
   std::vector<Choice> choices;
-  for (int e : {w, w0}) {
-    if (!pair.free(j, e)) continue;
-    const Edge edge = pair.edge(j, e);
-    if (pair.can_rest(i, v, edge.normal)) choices.push_back({i, v, j, e, edge.gap(pair.vertex(i, v))});
-  }
-  for (int e : {v, v0}) {
-    if (!pair.free(i, e)) continue;
-    const Edge edge = pair.edge(i, e);
-    if (pair.can_rest(j, w, edge.normal)) choices.push_back({j, w, i, e, edge.gap(pair.vertex(j, w))});
-  }
+  const auto consider = [&](int bv, int vertex, int be, int e) {
+    if (!pair.free(be, e)) return;
+    const Edge edge = pair.edge(be, e);
+    if (!pair.can_rest(bv, vertex, edge.normal)) return;
+    const double gap = edge.gap(pair.vertex(bv, vertex)), s = edge.position(pair.vertex(bv, vertex));
+    choices.push_back({bv, vertex, be, e, gap, gap + pair.approach(bv, vertex, be, edge), std::max({0.0, -s, s - edge.length})});
+  };
+  for (int e : {w, w0}) consider(i, v, j, e);
+  for (int e : {v, v0}) consider(j, w, i, e);
+  std::erase_if(found, [&](const Contact& c) { return &c >= &found[first] && is_here(c); });
   if (choices.empty()) return;
   const auto flush = [&](const Choice& c) { return pair.slides_on(c.block_v, c.vertex, c.block_e, c.edge); };
   if (std::any_of(choices.begin(), choices.end(), flush)) {
@@ -229,8 +248,10 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
     for (const Choice& c : choices)
       if (std::abs(cross(along, pair.edge(c.block_e, c.edge).along)) > parallel_sine) return;
   }
-  const Choice best = *std::max_element(choices.begin(), choices.end(),
-                                        [](const Choice& a, const Choice& b) { return a.gap < b.gap; });
+  const double rounding = corner_part * pair.least();
+  const Choice best = *std::max_element(choices.begin(), choices.end(), [&](const Choice& a, const Choice& b) {
+    return std::abs(a.ahead - b.ahead) > rounding ? a.ahead < b.ahead : a.beyond > b.beyond;
+  });
   if (best.gap > pair.reach() || best.gap < pair.deepest()) return;
   found.push_back(pair.contact(best.block_v, best.vertex, best.block_e, best.edge, best.gap, true));
 }
@@ -253,7 +274,8 @@ void drop_twins(const Pair& pair, size_t first, std::vector<Contact>& found) {
 
 }  // namespace
 
-void find_contacts(const Model& model, const Surface& surface, int a, int b, double dt, std::vector<Contact>& found) {
+void find_contacts(const Model& model, const Surface& surface, int a, int b, double dt, std::vector<Contact>& found,
+                   std::vector<MeetingCorners>& meeting) {
   const auto spin = [&](int k) { return std::abs(model.blocks[k].velocity[2]) / model.shapes[k].length * model.shapes[k].radius; };
   const Vec2 approach(model.blocks[a].velocity[0] - model.blocks[b].velocity[0],
                       model.blocks[a].velocity[1] - model.blocks[b].velocity[1]);
@@ -266,8 +288,12 @@ void find_contacts(const Model& model, const Surface& surface, int a, int b, dou
   for (int v = 0; v < model.vertex_count(a); ++v)
     if (pair.exposed(a, v))
     for (int w = 0; w < model.vertex_count(b); ++w)
-      if (pair.exposed(b, w)) corner_on_corner(pair, v, w, first, found);
+      if (pair.exposed(b, w)) corner_on_corner(pair, v, w, first, found, meeting);
   drop_twins(pair, first, found);
+}
+
+double meeting_distance(const Model& model, int a, int b) {
+  return meeting_part * std::min(model.shapes[a].length, model.shapes[b].length);
 }
 
 }  // namespace talus

@@ -5,7 +5,12 @@
 
 namespace talus {
 
-void ContactTerms::linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick) {
+namespace {
+constexpr double near_part = 1e-3;
+}
+
+void ContactTerms::linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick,
+                             double nearness) {
   factor_ = scheme.contact_d;
   rows_.resize(model.contacts.size());
   for (size_t k = 0; k < rows_.size(); ++k) {
@@ -39,13 +44,18 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     row.ks = contact.shear_stiffness;
     row.friction = stick ? std::numeric_limits<double>::infinity() : std::tan(property.friction);
     row.cohesion = property.cohesion * contact.length;
+    const double pushed = near_part * std::min(shape_i.length, shape_j.length) +
+                          0.5 * scheme.contact_v * std::hypot(approach, sliding);
+    row.near = scheme.dt == 0 || contact.normal_force > 0 || row.gap0 <= nearness * pushed;
   }
 }
 
 void ContactTerms::find_slots(const BlockMatrix& matrix, const Model& model) {
   slots_.clear();
-  for (const Contact& c : model.contacts)
-    slots_.push_back({matrix.slot(c.i, c.i), matrix.slot(c.j, c.j), matrix.slot(c.i, c.j)});
+  for (const ContactRows& row : rows_) {
+    const Contact& c = model.contacts[row.contact];
+    slots_.push_back(row.near ? Slots{matrix.slot(c.i, c.i), matrix.slot(c.j, c.j), matrix.slot(c.i, c.j)} : Slots{});
+  }
 }
 
 void ContactTerms::add_stiffness(BlockMatrix& matrix, const std::vector<char>& closed,

@@ -13,6 +13,7 @@ struct ContactRows {
   double kn, ks;        // N/m
   double friction, cohesion;  // tan φ; N
   int contact;          // index into Model::contacts
+  bool near;            // may press in this step; the others are not solved for, only watched
 
   double along(const Row& i, const Row& j, const Vector& d) const {
     double sum = 0;
@@ -28,8 +29,10 @@ struct ContactRows {
 
 class ContactTerms {
  public:
-  // `stick`: no joint slides (the settled start).
-  void linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick);
+  // `stick`: no joint slides (the settled start). Near is what the velocities bring to within `nearness` times what a
+  // contact's neighbours may push it in the step, taken as half of its own relative motion and near_part of the smaller
+  // block's √area.
+  void linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick, double nearness);
   void find_slots(const BlockMatrix& matrix, const Model& model);
   // matrix += contact_d Σ kn n nᵀ over `closed` and ks s sᵀ over `stuck`.
   void add_stiffness(BlockMatrix& matrix, const std::vector<char>& closed, const std::vector<char>& stuck) const;

@@ -22,10 +22,11 @@ constexpr double slope_part = 0.05;
 constexpr int most_products = 40;
 constexpr double least_step = 1.0 / 64;
 
-// Newton's steps of one block in a sweep, and sweeps, forwards and backwards in turn, after a step of all of them.
-constexpr int most_local = 6;
-constexpr int sweeps = 2;
-constexpr double local_tolerance = 1e-10;  // of the forces that meet in the block: well below the step's own
+// A pair of sweeps costs this part of a factor for each contact: as many pairs are worth one.
+constexpr double factor_work = 2e5;
+constexpr int patience = 3;      // iterations that do not halve the change of the sweeps, before the step is cut
+constexpr int most_coupled = 3;  // steps of the coupled law in a row
+constexpr double sweep_tolerance = 1e-13;  // change of a pair, part of all forces: contacts are stiffer than blocks
 
 }  // namespace
 
@@ -35,10 +36,12 @@ double OpenClose::friction_limit(const ContactRows& row, double normal) const {
 
 void OpenClose::evaluate(const ContactTerms& contacts, const Vector& d) {
   const auto& rows = contacts.rows();
+  missed_ = false;
   for (size_t k = 0; k < rows.size(); ++k) {
     gap_[k] = rows[k].gap0 + contacts.factor() * rows[k].along(rows[k].normal_i, rows[k].normal_j, d);
     slide_[k] = rows[k].slide0 + contacts.factor() * rows[k].along(rows[k].shear_i, rows[k].shear_j, d);
-    closed_[k] = gap_[k] <= 0;
+    closed_[k] = rows[k].near && gap_[k] <= 0;
+    missed_ = missed_ || (!rows[k].near && gap_[k] < 0);
   }
 }
 
@@ -63,6 +66,12 @@ void OpenClose::start(const Model& model, const System& system, const ContactTer
   kd_.setZero(system.force.size());
   for (size_t k = 0; k < count; ++k)
     limit_[k] = friction_limit(contacts.rows()[k], model.contacts[k].normal_force);
+  normal_.resize(count);
+  shear_.resize(count);
+  for (size_t k = 0; k < count; ++k) {
+    normal_[k] = std::max(0.0, model.contacts[k].normal_force);
+    shear_[k] = std::clamp(model.contacts[k].shear_force, -limit_[k], limit_[k]);
+  }
 }
 
 void OpenClose::judge_residual(const Model& model, const System& system, const ContactTerms& contacts,
@@ -147,152 +156,127 @@ OpenCloseResult OpenClose::judge(const Model& model, const System& system, const
 }
 
 OpenCloseResult OpenClose::solve(const Model& model, System& system, const ContactTerms& contacts,
-                                 LinearSolver& solver, double tolerance, int max_iterations, bool smoothed,
-                                 Vector& d) {
+                                 LinearSolver& solver, double tolerance, int max_iterations, bool motion, Vector& d) {
   OpenCloseResult result;
   d.setZero(system.force.size());
   start(model, system, contacts);
   evaluate(contacts, d);
-  continue_states(model);
-  loose_.clear();
-  if (smoothed) find_loose(model, system);
   const std::vector<double> base = system.matrix.values;
-  const auto& rows = contacts.rows();
-  while (result.iterations < max_iterations) {
-    if (result.iterations > 0)
-      for (size_t k = 0; k < rows.size(); ++k) stuck_[k] = std::abs(rows[k].ks * slide_[k]) < limit_[k];
-    const bool settled = result.iterations == 1 || (closed_ == factored_closed_ && stuck_ == factored_stuck_);
-    if (!factor(system, contacts, base, solver, result)) break;
-    ++result.iterations;
-    if (result.iterations == 1)
-      predict(model, system, contacts, solver, d, result);
-    else if (!settled || !coupled_step(model, system, contacts, solver, tolerance, d, result))
-      convex_step(model, system, contacts, solver, d, result);
-    for (int sweep = 0; sweep < sweeps && !loose_.empty() && result.residual > tolerance; ++sweep)
-      smooth(model, system, contacts, (sweep + result.iterations) % 2 == 1, d, result);
-    result.converged = result.residual <= tolerance;
-    if (result.converged || !std::isfinite(result.residual)) break;
-  }
+  if (motion) sweeps_.start(model, system, contacts);
+  if (motion && !sweeps_.empty())
+    solve_motion(model, system, contacts, solver, base, tolerance, max_iterations, d, result);
+  else
+    solve_rest(model, system, contacts, solver, base, tolerance, max_iterations, d, result);
   system.matrix.values = base;
   return result;
 }
 
-void OpenClose::find_loose(const Model& model, const System& system) {
-  const int blocks = int(model.shapes.size());
-  std::vector<char> bonded(blocks, false);
-  for (const Joint& joint : model.joints)
-    if (joint.state == JointState::intact) bonded[joint.a] = bonded[joint.b] = true;
-  contact_begin_.assign(blocks + 1, 0);
-  for (const Contact& c : model.contacts) {
-    ++contact_begin_[c.i + 1];
-    ++contact_begin_[c.j + 1];
-  }
-  for (int b = 0; b < blocks; ++b) contact_begin_[b + 1] += contact_begin_[b];
-  block_contacts_.resize(contact_begin_[blocks]);
-  std::vector<int> fill(contact_begin_.begin(), contact_begin_.end() - 1);
-  for (size_t k = 0; k < model.contacts.size(); ++k) {
-    block_contacts_[fill[model.contacts[k].i]++] = int(k);
-    block_contacts_[fill[model.contacts[k].j]++] = int(k);
-  }
-  own_.clear();
-  for (int b = 0; b < blocks; ++b)
-    if (!bonded[b] && model.shapes[b].dofs > 0 && contact_begin_[b + 1] > contact_begin_[b]) {
-      loose_.push_back(b);
-      DofMatrix m = DofMatrix::Identity();
-      system.matrix.diagonal(b, m);
-      own_.push_back(m);
+// Sweeps, and where they are slow Newton's steps from their states, each followed by sweeps from its forces. Where those
+// end farther from rest than the sweeps before, Newton's step has led away: back, and more sweeps.
+void OpenClose::solve_motion(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
+                             const std::vector<double>& base, double tolerance, int max_iterations, Vector& d,
+                             OpenCloseResult& result) {
+  const int worth = std::clamp(int(factor_work / double(contacts.rows().size())), 60, 200);
+  double reached = std::numeric_limits<double>::infinity();
+  if (sweeps_.whole()) {
+    result.converged = sweep(model, system, contacts, 3 * worth, worth, d, result) <= tolerance;
+    if (missed_) {
+      result.missed = !result.converged;
+      return;
     }
+    reached = result.sweep_change;
+    take_states(contacts);
+  } else {
+    continue_states(model);
+  }
+  int in_vain = 0;
+  while (!result.converged && result.iterations < max_iterations && in_vain < patience) {
+    const std::vector<double> normal = normal_, shear = shear_;
+    if (!factor(system, contacts, base, solver, result)) return;
+    ++result.iterations;
+    predict(model, system, contacts, solver, d, result);
+    for (int k = 0; k < most_coupled && result.residual > tolerance && settled(contacts); ++k)
+      if (!coupled_step(model, system, contacts, solver, tolerance, d, result)) break;
+    if ((result.converged = result.residual <= tolerance)) return;
+    take_forces(contacts);
+    result.converged = sweep(model, system, contacts, worth, 0, d, result) <= tolerance;
+    if (missed_) break;
+    if (!result.converged && sweeps_.whole() && !(result.sweep_change < reached)) {
+      normal_ = normal;
+      shear_ = shear;
+      result.converged = sweep(model, system, contacts, 2 * worth, 0, d, result) <= tolerance;
+    }
+    if (!(result.sweep_change < 0.5 * reached)) ++in_vain;
+    reached = result.sweep_change;
+    take_states(contacts);
+  }
+  result.missed = !result.converged && missed_;
 }
 
-// One sweep of nonlinear block Gauss–Seidel (the smoother of Gräser & Kornhuber 2009): each loose block in turn goes to
-// the least potential with its neighbours held, friction limits following its own normal forces. It settles the many
-// contacts that open, close or slip by their own block's doing, which Newton's steps would meet one at a time.
-void OpenClose::smooth(const Model& model, const System& system, const ContactTerms& contacts, bool backwards, Vector& d,
-                       OpenCloseResult& result) {
-  for (size_t n = 0; n < loose_.size(); ++n) {
-    const size_t index = backwards ? loose_.size() - 1 - n : n;
-    for (int iteration = 0; iteration < most_local; ++iteration)
-      if (!smooth_block(model, system, contacts, index, d)) break;
+void OpenClose::solve_rest(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
+                           const std::vector<double>& base, double tolerance, int max_iterations, Vector& d,
+                           OpenCloseResult& result) {
+  continue_states(model);
+  while (!result.converged && result.iterations < max_iterations) {
+    if (!factor(system, contacts, base, solver, result)) return;
+    ++result.iterations;
+    if (result.iterations == 1)
+      predict(model, system, contacts, solver, d, result);
+    else if (!settled(contacts) || !coupled_step(model, system, contacts, solver, tolerance, d, result))
+      convex_step(model, system, contacts, solver, d, result);
+    result.converged = result.residual <= tolerance;
+    if (!std::isfinite(result.residual)) return;
+    for (size_t k = 0; k < stuck_.size(); ++k)
+      stuck_[k] = std::abs(contacts.rows()[k].ks * slide_[k]) < limit_[k];
   }
+}
+
+// Whether the states at d are those that were solved with, but for a few.
+bool OpenClose::settled(const ContactTerms& contacts) const {
+  const auto& rows = contacts.rows();
+  size_t changed = 0, closed = 0;
+  for (size_t k = 0; k < rows.size(); ++k) {
+    closed += closed_[k];
+    if (!closed_[k] && !factored_closed_[k]) continue;
+    const bool stuck = closed_[k] && std::abs(rows[k].ks * slide_[k]) < limit_[k];
+    changed += closed_[k] != factored_closed_[k] || stuck != bool(factored_stuck_[k]);
+  }
+  return changed * 20 <= closed;
+}
+
+// The forces of the last solve, cut to what contacts can carry; what has met since carries none yet.
+void OpenClose::take_forces(const ContactTerms& contacts) {
+  const auto& rows = contacts.rows();
+  for (size_t k = 0; k < rows.size(); ++k) {
+    normal_[k] = factored_closed_[k] ? rows[k].kn * std::max(0.0, -gap_[k]) : 0;
+    const double limit = friction_limit(rows[k], normal_[k]);
+    shear_[k] = factored_stuck_[k] ? std::clamp(rows[k].ks * slide_[k], -limit, limit) : std::copysign(limit, shear_[k]);
+  }
+}
+
+// The states of the forces.
+void OpenClose::take_states(const ContactTerms& contacts) {
+  for (size_t k = 0; k < normal_.size(); ++k) {
+    closed_[k] = normal_[k] > 0;
+    stuck_[k] = closed_[k] && std::abs(shear_[k]) < (1 - 1e-12) * friction_limit(contacts.rows()[k], normal_[k]);
+  }
+}
+
+double OpenClose::sweep(const Model& model, const System& system, const ContactTerms& contacts, int most, int worth,
+                        Vector& d, OpenCloseResult& result) {
+  const auto progress = sweeps_.run(most, sweep_tolerance, worth, normal_, shear_, d);
+  result.sweeps += 2 * progress.pairs;
+  result.sweep_change = progress.change;
+  kd_.setZero(d.size());
+  system.matrix.multiply(d, kd_);
   arrive(model, system, contacts, d, result);
-}
-
-// One Newton step of one block; false when it is at rest among its neighbours.
-bool OpenClose::smooth_block(const Model& model, const System& system, const ContactTerms& contacts, size_t index,
-                             Vector& d) {
-  const int block = loose_[index], size = model.shapes[block].dofs, begin = model.shapes[block].dof_begin;
-  const auto& rows = contacts.rows();
-  const double f = contacts.factor();
-  const auto row_of = [size](const Row& row) {  // without the strain terms that a rigid block has not
-    DofColumn column = DofColumn::Zero();
-    for (int k = 0; k < size; ++k) column[k] = row[k];
-    return column;
-  };
-  DofMatrix h = own_[index];
-  DofColumn r = DofColumn::Zero();
-  r.head(size) = system.force.segment(begin, size) - kd_.segment(begin, size);
-  double scale = r.norm();
-  for (int c = contact_begin_[block]; c < contact_begin_[block + 1]; ++c) {
-    const int k = block_contacts_[c];
-    if (gap_[k] > 0) continue;
-    const bool is_i = model.contacts[k].i == block;
-    const DofColumn normal = row_of(is_i ? rows[k].normal_i : rows[k].normal_j);
-    const DofColumn shear = row_of(is_i ? rows[k].shear_i : rows[k].shear_j);
-    const double force = -rows[k].kn * gap_[k], trial = rows[k].ks * slide_[k];
-    limit_[k] = friction_limit(rows[k], force);
-    r += force * normal - std::clamp(trial, -limit_[k], limit_[k]) * shear;
-    scale += force;
-    h += f * rows[k].kn * normal * normal.transpose();
-    if (std::abs(trial) < limit_[k]) h += f * rows[k].ks * shear * shear.transpose();
-  }
-  if (r.norm() <= local_tolerance * scale) return false;
-  DofColumn p = h.llt().solve(r);
-  if (!p.allFinite()) return false;
-  p *= local_step(model, contacts, block, p, -r.dot(p), p.dot(own_[index] * p));
-  d.segment(begin, size) += p.head(size);
-  kd_.segment(begin, size) += (own_[index] * p).head(size);
-  for (int c = contact_begin_[block]; c < contact_begin_[block + 1]; ++c) {
-    const int k = block_contacts_[c];
-    const bool is_i = model.contacts[k].i == block;
-    gap_[k] += f * dot(is_i ? rows[k].normal_i : rows[k].normal_j, p.data(), size);
-    slide_[k] += f * dot(is_i ? rows[k].shear_i : rows[k].shear_j, p.data(), size);
-  }
-  return true;
-}
-
-// Part of the block's own step p at which the slope of its potential, limits frozen, has fallen enough.
-double OpenClose::local_step(const Model& model, const ContactTerms& contacts, int block, const DofColumn& p,
-                             double slope0, double curvature) const {
-  const auto& rows = contacts.rows();
-  const double f = contacts.factor();
-  const int size = model.shapes[block].dofs;
-  const auto contact_slopes = [&](double step) {
-    double slope = 0;
-    for (int c = contact_begin_[block]; c < contact_begin_[block + 1]; ++c) {
-      const int k = block_contacts_[c];
-      const bool is_i = model.contacts[k].i == block;
-      const double gap_rate = f * dot(is_i ? rows[k].normal_i : rows[k].normal_j, p.data(), size);
-      const double slide_rate = f * dot(is_i ? rows[k].shear_i : rows[k].shear_j, p.data(), size);
-      slope += contact_slope(rows[k], k, step, gap_rate, slide_rate, f);
-    }
-    return slope;
-  };
-  const double at0 = contact_slopes(0), enough = slope_part * std::abs(slope0);
-  const auto slope = [&](double step) { return slope0 + step * curvature + contact_slopes(step) - at0; };
-  double low = 0, high = 1;
-  if (slope(1) <= enough) return 1;
-  for (int i = 0; i < 20; ++i) {
-    const double middle = (low + high) / 2, value = slope(middle);
-    if (std::abs(value) <= enough) return middle;
-    (value > 0 ? high : low) = middle;
-  }
-  return low > 0 ? low : high;
+  return result.residual;
 }
 
 void OpenClose::continue_states(const Model& model) {
   for (size_t k = 0; k < closed_.size(); ++k) {
     const ContactState state = model.contacts[k].state;
-    closed_[k] = state != ContactState::open || gap_[k] <= 0;
+    closed_[k] = closed_[k] || state != ContactState::open;
     stuck_[k] = closed_[k] && state != ContactState::slip;  // what closes now sticks at first
   }
 }
@@ -329,21 +313,21 @@ void OpenClose::arrive(const Model& model, const System& system, const ContactTe
   judge_residual(model, system, contacts, 0, result);
 }
 
-// The states of the last step go on: what pressed may pull for now and what stuck has no limit. Where few states
-// change in a step, this is nearly the answer; a search from the predicted gaps would close and open half of them.
+// The unknowns at the present states: what presses may pull, what sticks has no limit and what slips keeps its force. From
+// the states of the last step, where few change in a step, this is nearly the answer, as it is from those of the sweeps.
 void OpenClose::predict(const Model& model, const System& system, const ContactTerms& contacts, LinearSolver& solver,
                         Vector& d, OpenCloseResult& result) {
   r_ = system.force;
   const auto& rows = contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
     if (!closed_[k]) continue;
-    rows[k].add(rows[k].normal_i, rows[k].normal_j, -rows[k].kn * gap_[k], r_);
-    const double shear = rows[k].ks * slide_[k];
-    rows[k].add(rows[k].shear_i, rows[k].shear_j, -(stuck_[k] ? shear : std::clamp(shear, -limit_[k], limit_[k])), r_);
+    rows[k].add(rows[k].normal_i, rows[k].normal_j, -rows[k].kn * rows[k].gap0, r_);
+    rows[k].add(rows[k].shear_i, rows[k].shear_j, -(stuck_[k] ? rows[k].ks * rows[k].slide0 : shear_[k]), r_);
   }
-  solver.solve(r_, p_);
-  multiply(system);
-  advance(model, system, contacts, 1, d, result);
+  solver.solve(r_, d);
+  kd_.setZero(d.size());
+  system.matrix.multiply(d, kd_);
+  arrive(model, system, contacts, d, result);
 }
 
 // One Newton step on the convex potential with friction limits frozen, then the limits follow the normal forces. A

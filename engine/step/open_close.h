@@ -7,12 +7,16 @@
 // the present normal force, is below its tolerance in every block: not when the states have stopped flipping.
 #include "equations/contact_terms.h"
 #include "equations/linear_solver.h"
+#include "step/contact_sweeps.h"
 
 namespace talus {
 
 struct OpenCloseResult {
   bool converged = false;
-  int iterations = 0;
+  bool missed = false;   // a contact presses that was not solved for
+  int iterations = 0;   // solves with a factor
+  int sweeps = 0;
+  double sweep_change = 0;
   double residual = 0;    // largest over blocks, of force scale
   int worst_block = -1;
   int singular_block = -1;  // where the matrix was not positive definite
@@ -25,7 +29,7 @@ class OpenClose {
   // blocks are also taken one by one, which serves motion and wastes time in equilibrium, where nothing but their
   // neighbours holds them.
   OpenCloseResult solve(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
-                        double tolerance, int max_iterations, bool smoothed, Vector& d);
+                        double tolerance, int max_iterations, bool motion, Vector& d);
   // Residual at d = 0 without solving.
   OpenCloseResult judge(const Model& model, const System& system, const ContactTerms& contacts);
   // States, forces and stretches of the last solution into the model's contacts.
@@ -35,12 +39,17 @@ class OpenClose {
   void start(const Model& model, const System& system, const ContactTerms& contacts);
   void evaluate(const ContactTerms& contacts, const Vector& d);
   void residual(const System& system, const ContactTerms& contacts, bool coupled, Vector& r) const;
-  void find_loose(const Model& model, const System& system);
-  void smooth(const Model& model, const System& system, const ContactTerms& contacts, bool backwards, Vector& d,
-              OpenCloseResult& result);
-  bool smooth_block(const Model& model, const System& system, const ContactTerms& contacts, size_t index, Vector& d);
-  double local_step(const Model& model, const ContactTerms& contacts, int block, const DofColumn& p, double slope0,
-                    double curvature) const;
+  double sweep(const Model& model, const System& system, const ContactTerms& contacts, int most, int worth, Vector& d,
+               OpenCloseResult& result);
+  void take_states(const ContactTerms& contacts);
+  void take_forces(const ContactTerms& contacts);
+  void solve_motion(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
+                    const std::vector<double>& base, double tolerance, int max_iterations, Vector& d,
+                    OpenCloseResult& result);
+  void solve_rest(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
+                  const std::vector<double>& base, double tolerance, int max_iterations, Vector& d,
+                  OpenCloseResult& result);
+  bool settled(const ContactTerms& contacts) const;
   void continue_states(const Model& model);
   bool factor(System& system, const ContactTerms& contacts, const std::vector<double>& base, LinearSolver& solver,
               OpenCloseResult& result);
@@ -67,9 +76,9 @@ class OpenClose {
   std::vector<double> gap_, slide_, limit_;  // per contact, at the present d; limit_: frozen friction limit, N
   std::vector<double> pace_, last_change_;    // of the limits: part of a change that is taken; last change, N
   std::vector<char> closed_, stuck_, factored_closed_, factored_stuck_;
-  std::vector<int> loose_;                    // blocks without intact bonds, which smooth() can take one by one
-  std::vector<DofMatrix> own_;                // their matrices, without contacts
-  std::vector<int> contact_begin_, block_contacts_;  // contacts of each block
+  std::vector<double> normal_, shear_;  // N, forces of the sweeps
+  ContactSweeps sweeps_;
+  bool missed_ = false;
   Vector kd_, r_, p_, kp_;
 };
 

@@ -86,8 +86,13 @@ StepReport Stepper::dynamic_step() {
 
     // 3. Open–close: everything linear once, then contacts until their law is met.
     Vector d;
-    assemble(scheme, false);
-    const OpenCloseResult result = solve(true, d);
+    OpenCloseResult result;
+    double nearness = 1;
+    do {  // again with more of the candidates where one presses that was not expected to
+      assemble(scheme, false, nearness);
+      result = solve(true, d);
+      nearness *= 8;
+    } while (result.missed);
     report.iterations = result.iterations;
     report.residual = result.residual;
 
@@ -182,7 +187,7 @@ bool Stepper::find_equilibrium(bool stick, int iterations, Equilibrium& search) 
       PartTimer timer(totals_, "contact search");
       search_.update(model_, 0);
     }
-    assemble(scheme, stick);
+    assemble(scheme, stick, 1);
     result = open_close_.judge(model_, system_, contacts_);
     report.residual = result.residual;
     if (i > 0 && result.residual <= model_.scene.numerics.static_tolerance) return true;
@@ -215,12 +220,15 @@ void Stepper::prepare_bonds() {
   if (plan_.fixities) supports_.prepare(model_, joints_.ground_stiffness());
 }
 
-void Stepper::assemble(const Scheme& scheme, bool stick) {
+void Stepper::assemble(const Scheme& scheme, bool stick, double nearness) {
   PartTimer timer(totals_, "assembly");
   prepare_bonds();
   std::vector<std::pair<int, int>> pairs;
   for (const Joint& joint : model_.joints) pairs.push_back({joint.a, joint.b});
-  for (const Contact& contact : model_.contacts) pairs.push_back({contact.i, contact.j});
+  poses_.predict(model_, scheme);
+  if (plan_.contacts) contacts_.linearise(model_, poses_, scheme, stick, nearness);
+  for (const ContactRows& row : contacts_.rows())
+    if (row.near) pairs.push_back({model_.contacts[row.contact].i, model_.contacts[row.contact].j});
   std::vector<int> sizes;
   for (const BlockShape& shape : model_.shapes) sizes.push_back(shape.dofs);
   if (system_.matrix.set_pattern(sizes, std::move(pairs))) {
@@ -228,15 +236,11 @@ void Stepper::assemble(const Scheme& scheme, bool stick) {
     solver_.analyse(system_.matrix);
   }
   system_.clear(model_);
-  poses_.predict(model_, scheme);
   add_block_terms(model_, poses_, scheme, system_);
   if (plan_.bonds) joints_.add(model_, poses_, scheme, system_);
   if (plan_.fixities) supports_.add(model_, poses_, scheme, system_);
   add_loads(model_, poses_, scheme, system_);
-  if (plan_.contacts) {
-    contacts_.linearise(model_, poses_, scheme, stick);
-    contacts_.find_slots(system_.matrix, model_);
-  }
+  if (plan_.contacts) contacts_.find_slots(system_.matrix, model_);
 }
 
 OpenCloseResult Stepper::solve(bool smoothed, Vector& d) {

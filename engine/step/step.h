@@ -46,7 +46,7 @@ class Stepper {
   };
   bool find_equilibrium(bool stick, int iterations, Equilibrium& search);
   OpenCloseResult solve(bool smoothed, Vector& d);
-  void assemble(const Scheme& scheme, bool stick);
+  void assemble(const Scheme& scheme, bool stick, double nearness);
   void accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d);
   [[noreturn]] void give_up(const OpenCloseResult& result, double dt) const;
   int culprit(const Equilibrium& search) const;  // the block that is named when there is no equilibrium
