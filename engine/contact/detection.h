@@ -30,6 +30,13 @@ class ContactSearch {
   // Replaces Model::contacts by the candidates of the next step, in order of (vertex, edge). Contacts that go
   // on keep their state; one that hands over to a neighbouring edge or to its partner's vertex passes it on.
   void update(Model& model, double dt);
+  // The surface is found anew: states of joints were set from outside.
+  void forget() { intact_joints_ = -1; }
+  template <class Visitor>  // of the registry, model/registry.h
+  void visit_state(Visitor& visitor) {
+    visitor("time", time_);
+    visitor("last_dt", last_dt_);
+  }
 
  private:
   void find_surface(const Model& model);

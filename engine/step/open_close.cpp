@@ -25,6 +25,8 @@ constexpr double least_step = 1.0 / 64;
 // A pair of sweeps costs this part of a factor for each contact: as many pairs are worth one.
 constexpr double factor_work = 2e5;
 constexpr int patience = 3;      // iterations that do not halve the change of the sweeps, before the step is cut
+constexpr int pairs_among_bonds = 30;
+constexpr size_t few = 20;       // one state in so many has changed: the coupled law is tried
 constexpr int most_coupled = 3;  // steps of the coupled law in a row
 constexpr double sweep_tolerance = 1e-13;  // change of a pair, part of all forces: contacts are stiffer than blocks
 
@@ -163,10 +165,10 @@ OpenCloseResult OpenClose::solve(const Model& model, System& system, const Conta
   evaluate(contacts, d);
   const std::vector<double> base = system.matrix.values;
   if (motion) sweeps_.start(model, system, contacts);
-  if (motion && !sweeps_.empty())
+  if (motion && sweeps_.whole() && !sweeps_.empty())
     solve_motion(model, system, contacts, solver, base, tolerance, max_iterations, d, result);
   else
-    solve_rest(model, system, contacts, solver, base, tolerance, max_iterations, d, result);
+    solve_bonded(model, system, contacts, solver, base, tolerance, max_iterations, motion, d, result);
   system.matrix.values = base;
   return result;
 }
@@ -177,20 +179,11 @@ void OpenClose::solve_motion(const Model& model, System& system, const ContactTe
                              const std::vector<double>& base, double tolerance, int max_iterations, Vector& d,
                              OpenCloseResult& result) {
   const int worth = std::clamp(int(factor_work / double(contacts.rows().size())), 60, 200);
-  double reached = std::numeric_limits<double>::infinity();
-  if (sweeps_.whole()) {
-    result.converged = sweep(model, system, contacts, 3 * worth, worth, d, result) <= tolerance;
-    if (missed_) {
-      result.missed = !result.converged;
-      return;
-    }
-    reached = result.sweep_change;
-    take_states(contacts);
-  } else {
-    continue_states(model);
-  }
+  result.converged = sweep(model, system, contacts, 3 * worth, worth, d, result) <= tolerance;
+  take_states(contacts);
+  double reached = result.sweep_change;
   int in_vain = 0;
-  while (!result.converged && result.iterations < max_iterations && in_vain < patience) {
+  while (!result.converged && !missed_ && result.iterations < max_iterations && in_vain < patience) {
     const std::vector<double> normal = normal_, shear = shear_;
     if (!factor(system, contacts, base, solver, result)) return;
     ++result.iterations;
@@ -200,8 +193,7 @@ void OpenClose::solve_motion(const Model& model, System& system, const ContactTe
     if ((result.converged = result.residual <= tolerance)) return;
     take_forces(contacts);
     result.converged = sweep(model, system, contacts, worth, 0, d, result) <= tolerance;
-    if (missed_) break;
-    if (!result.converged && sweeps_.whole() && !(result.sweep_change < reached)) {
+    if (!result.converged && !missed_ && !(result.sweep_change < reached)) {
       normal_ = normal;
       shear_ = shear;
       result.converged = sweep(model, system, contacts, 2 * worth, 0, d, result) <= tolerance;
@@ -213,9 +205,13 @@ void OpenClose::solve_motion(const Model& model, System& system, const ContactTe
   result.missed = !result.converged && missed_;
 }
 
-void OpenClose::solve_rest(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
-                           const std::vector<double>& base, double tolerance, int max_iterations, Vector& d,
-                           OpenCloseResult& result) {
+// Where blocks hang together by bonds, and in equilibrium, where nothing but neighbours holds a block: Newton's steps, of
+// the coupled law where the states have settled, else of the convex potential. In motion loose blocks are then brought
+// to rest among the others by sweeps, where that lowers the residual.
+void OpenClose::solve_bonded(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
+                             const std::vector<double>& base, double tolerance, int max_iterations, bool motion, Vector& d,
+                             OpenCloseResult& result) {
+  const auto& rows = contacts.rows();
   continue_states(model);
   while (!result.converged && result.iterations < max_iterations) {
     if (!factor(system, contacts, base, solver, result)) return;
@@ -224,11 +220,26 @@ void OpenClose::solve_rest(const Model& model, System& system, const ContactTerm
       predict(model, system, contacts, solver, d, result);
     else if (!settled(contacts) || !coupled_step(model, system, contacts, solver, tolerance, d, result))
       convex_step(model, system, contacts, solver, d, result);
+    if (motion && !sweeps_.empty() && result.residual > tolerance) {
+      const OpenCloseResult before = result;
+      const Vector d0 = d, kd0 = kd_;
+      for (size_t k = 0; k < rows.size(); ++k) {
+        normal_[k] = rows[k].kn * std::max(0.0, -gap_[k]);
+        const double limit = friction_limit(rows[k], normal_[k]);
+        shear_[k] = std::clamp(rows[k].ks * slide_[k], -limit, limit);
+      }
+      sweep(model, system, contacts, pairs_among_bonds, 0, d, result);
+      if (!(result.residual < before.residual)) {
+        d = d0;
+        kd_ = kd0;
+        arrive(model, system, contacts, d, result);
+      }
+    }
     result.converged = result.residual <= tolerance;
     if (!std::isfinite(result.residual)) return;
-    for (size_t k = 0; k < stuck_.size(); ++k)
-      stuck_[k] = std::abs(contacts.rows()[k].ks * slide_[k]) < limit_[k];
+    for (size_t k = 0; k < rows.size(); ++k) stuck_[k] = std::abs(rows[k].ks * slide_[k]) < limit_[k];
   }
+  result.missed = !result.converged && missed_;
 }
 
 // Whether the states at d are those that were solved with, but for a few.
@@ -241,7 +252,7 @@ bool OpenClose::settled(const ContactTerms& contacts) const {
     const bool stuck = closed_[k] && std::abs(rows[k].ks * slide_[k]) < limit_[k];
     changed += closed_[k] != factored_closed_[k] || stuck != bool(factored_stuck_[k]);
   }
-  return changed * 20 <= closed;
+  return changed * few <= closed;
 }
 
 // The forces of the last solve, cut to what contacts can carry; what has met since carries none yet.

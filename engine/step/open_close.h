@@ -46,9 +46,9 @@ class OpenClose {
   void solve_motion(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
                     const std::vector<double>& base, double tolerance, int max_iterations, Vector& d,
                     OpenCloseResult& result);
-  void solve_rest(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
-                  const std::vector<double>& base, double tolerance, int max_iterations, Vector& d,
-                  OpenCloseResult& result);
+  void solve_bonded(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
+                    const std::vector<double>& base, double tolerance, int max_iterations, bool motion, Vector& d,
+                    OpenCloseResult& result);
   bool settled(const ContactTerms& contacts) const;
   void continue_states(const Model& model);
   bool factor(System& system, const ContactTerms& contacts, const std::vector<double>& base, LinearSolver& solver,

@@ -167,11 +167,12 @@ std::string Stepper::settle() {
 
 void Stepper::visit_state(StateVisitor& visitor) {
   visitor("step_size", step_size_);
+  visitor("contact_search", search_);
 }
 
 void Stepper::restored() {
   revision_ = -1;
-  search_ = {};
+  search_.forget();
 }
 
 bool Stepper::find_equilibrium(bool stick, int iterations, Equilibrium& search) {

@@ -15,7 +15,7 @@ for _, bonded in ipairs { false, true } do
       regions = { fork, talus.region { name = "peg", outline = talus.rect(1, 1.3, 2, 2.8), material = rock } },
       fix = { talus.fix { region = "fork", on = "bottom" } },
       loads = { talus.point_load { region = "peg", at = {1.5, 2.05}, force = {push, 0} } },
-      time = { mode = "dynamic", t_end = 1, dt = 1e-3 },
+      time = { mode = "dynamic", t_end = 2, dt = 1e-3 },
     }
     local deepest = 0
     local seen = tools.watch(sim, function()

@@ -32,7 +32,7 @@ function tools.energy(sim, young, gravity)
   for k = 1, #normal do
     if normal[k] > 0 then
       local h = math.sqrt(math.min(area[bi[k]], area[bj[k]]))
-      local kn = 100*young*(length[k] > 0 and length[k]/h or 0.5)
+      local kn = 100*young*(length[k] > 0 and math.max(length[k]/h, 0.05) or 0.5)
       contact = contact + (normal[k]^2 + shear[k]^2/0.4)/(2*kn)
     end
   end
