@@ -44,8 +44,34 @@ const Contact* predecessor(const Model& model, const Contact& c, const std::vect
   return nullptr;
 }
 
+// m, how deep a contact is at the places y = X + (θ-½)Δt v that the scheme looks at (theory, § 2).
+double depth_ahead(const Model& model, const Contact& c, double dt) {
+  const Numerics& numerics = model.scene.numerics;
+  const double shift = numerics.integrator == Integrator::theta ? (numerics.theta - 0.5) * dt : 0;
+  const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c), foot = at - c.gap * normal;
+  return -(c.gap + c.offset) - shift * normal.dot(model.velocity_at(c.i, at) - model.velocity_at(c.j, foot));
+}
+
+// Met already overlapping, or touching and so fast that y overlaps: not a load (docs/theory.md). What is still apart may
+// well overlap in y: that is a hit.
+double born_with(const Model& model, const Contact& c, double dt) {
+  if (c.gap > meeting_distance(model, c.i, c.j)) return 0;
+  return std::max({0.0, -c.gap, depth_ahead(model, c, dt)});
+}
+
+// After a hit X lies deeper than y, by Δt/4 times the speed of the rebound; a step shorter than the last would find that
+// depth as a load that nothing paid for. It is kept as an offset, which goes as the bodies part: nothing presses more at
+// the start of a step than at the end of the last.
+void forgive_depth(Model& model, double dt) {
+  for (Contact& c : model.contacts) {
+    if (c.gap + c.offset >= 0) continue;
+    const double now = std::min(-(c.gap + c.offset), depth_ahead(model, c, dt));
+    c.offset += std::max(0.0, now - c.normal_force / c.normal_stiffness);
+  }
+}
+
 // State of the contacts that go on, and of those that hand over.
-void carry_over(const Model& model, std::vector<Contact>& now) {
+void carry_over(const Model& model, double dt, std::vector<Contact>& now) {
   std::unordered_map<std::int64_t, const Contact*> before;
   for (const Contact& c : model.contacts) before[c.key()] = &c;
   std::vector<Contact*> fresh;
@@ -78,23 +104,7 @@ void carry_over(const Model& model, std::vector<Contact>& now) {
     if (old)
       carry(*old, *c);
     else
-      c->offset = std::max(0.0, -c->gap);  // met already overlapping: not a load (see docs/theory.md)
-  }
-}
-
-// Contacts press at the places y = X + (θ-½)Δt v that the scheme looks at (theory, § 2). After a hit X lies deeper than y, by
-// Δt/4 times the speed of the rebound; a step shorter than the last would find that depth as a load that nothing paid for.
-// It is kept as an offset, which goes as the bodies part: nothing presses more at the start of a step than at the end of
-// the last.
-void forgive_depth(Model& model, double dt) {
-  const Numerics& numerics = model.scene.numerics;
-  const double shift = numerics.integrator == Integrator::theta ? (numerics.theta - 0.5) * dt : 0;
-  for (Contact& c : model.contacts) {
-    if (c.gap + c.offset >= 0) continue;
-    const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c), foot = at - c.gap * normal;
-    const double approach = normal.dot(model.velocity_at(c.i, at) - model.velocity_at(c.j, foot));
-    const double now = -(c.gap + c.offset) - std::max(0.0, shift * approach);  // how deep y is, or X if that is less
-    c.offset += std::max(0.0, now - c.normal_force / c.normal_stiffness);
+      c->offset = born_with(model, *c, dt);
   }
 }
 
@@ -212,7 +222,7 @@ void ContactSearch::update(Model& model, double dt) {
     if (!bonded_.contains(pair_key(a, b))) find_contacts(model, surface_, a, b, dt, now, meeting);
   drop_points(model, meeting, bonded_, now);
   std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
-  carry_over(model, now);
+  carry_over(model, dt, now);
   model.contacts = std::move(now);
   if (model.time > time_) {
     last_dt_ = model.time - time_;

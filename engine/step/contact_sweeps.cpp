@@ -128,11 +128,11 @@ void ContactSweeps::settle(Link& link) {
   const double slide = link.slide0 + factor_ * (link.shear_i.dot(di) + link.shear_j.dot(dj));
   const Forces now = coulomb(gap - link.nn * link.n + link.ns * link.t, slide - link.ns * link.n + link.ss * link.t,
                              link.nn + link.soft_n, link.ns, link.ss + link.soft_s, link.friction, link.cohesion);
-  const double dn = now.n - link.n, dt = now.t - link.t;
+  const double dn = part_ * (now.n - link.n), dt = part_ * (now.t - link.t);
   di += dn * link.moved_ni - dt * link.moved_si;
   dj += dn * link.moved_nj - dt * link.moved_sj;
-  link.n = now.n;
-  link.t = now.t;
+  link.n += dn;
+  link.t += dt;
 }
 
 void ContactSweeps::sweep(bool backwards) {
@@ -142,8 +142,9 @@ void ContactSweeps::sweep(bool backwards) {
     for (Link& link : contacts_) settle(link);
 }
 
-ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, std::vector<double>& normal,
+ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, double part, std::vector<double>& normal,
                                            std::vector<double>& shear, Vector& d) {
+  part_ = part;
   const auto& rows = terms_->rows();
   const int loose = int(blocks_.size());
   for (Link& link : contacts_) {
@@ -189,7 +190,7 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, s
       decade = progress.change;
     }
     const double next = (1 + std::sqrt(1 + 4 * theta * theta)) / 2;
-    double momentum = (theta - 1) / next;
+    double momentum = part < 1 ? 0 : (theta - 1) / next;
     theta = next;
     ++since;
     if (turned > 0 || (change > before && since > least_run)) {

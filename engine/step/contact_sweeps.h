@@ -23,7 +23,7 @@ class ContactSweeps {
     int pairs = 0;
     double change = 0;  // of the last pair, part of the norm of all forces
   };
-  Progress run(int most, double enough, int worth, std::vector<double>& normal, std::vector<double>& shear, Vector& d);
+  Progress run(int most, double enough, int worth, double part, std::vector<double>& normal, std::vector<double>& shear, Vector& d);
 
  private:
   struct Link {
@@ -47,7 +47,7 @@ class ContactSweeps {
   std::vector<DofColumn> force_, motion_;  // of loose blocks, and a zero at the end
   const ContactTerms* terms_ = nullptr;
   const Model* model_ = nullptr;
-  double factor_ = 1;
+  double factor_ = 1, part_ = 1;
   bool whole_ = false;
 };
 

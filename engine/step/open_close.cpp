@@ -24,6 +24,7 @@ constexpr double least_step = 1.0 / 64;
 
 // A pair of sweeps costs this part of a factor for each contact: as many pairs are worth one.
 constexpr double factor_work = 2e5;
+constexpr double damped = 0.5;   // part of a change that sweeps take where plain ones did not get on
 constexpr int patience = 3;      // iterations that do not halve the change of the sweeps, before the step is cut
 constexpr int pairs_among_bonds = 30;
 constexpr size_t few = 20;       // one state in so many has changed: the coupled law is tried
@@ -179,7 +180,7 @@ void OpenClose::solve_motion(const Model& model, System& system, const ContactTe
                              const std::vector<double>& base, double tolerance, int max_iterations, Vector& d,
                              OpenCloseResult& result) {
   const int worth = std::clamp(int(factor_work / double(contacts.rows().size())), 60, 200);
-  result.converged = sweep(model, system, contacts, 3 * worth, worth, d, result) <= tolerance;
+  result.converged = sweep(model, system, contacts, 3 * worth, worth, 1, d, result) <= tolerance;
   take_states(contacts);
   double reached = result.sweep_change;
   int in_vain = 0;
@@ -192,11 +193,11 @@ void OpenClose::solve_motion(const Model& model, System& system, const ContactTe
       if (!coupled_step(model, system, contacts, solver, tolerance, d, result)) break;
     if ((result.converged = result.residual <= tolerance)) return;
     take_forces(contacts);
-    result.converged = sweep(model, system, contacts, worth, 0, d, result) <= tolerance;
+    result.converged = sweep(model, system, contacts, worth, 0, 1, d, result) <= tolerance;
     if (!result.converged && !missed_ && !(result.sweep_change < reached)) {
       normal_ = normal;
       shear_ = shear;
-      result.converged = sweep(model, system, contacts, 2 * worth, 0, d, result) <= tolerance;
+      result.converged = sweep(model, system, contacts, 2 * worth, 0, damped, d, result) <= tolerance;
     }
     if (!(result.sweep_change < 0.5 * reached)) ++in_vain;
     reached = result.sweep_change;
@@ -228,7 +229,7 @@ void OpenClose::solve_bonded(const Model& model, System& system, const ContactTe
         const double limit = friction_limit(rows[k], normal_[k]);
         shear_[k] = std::clamp(rows[k].ks * slide_[k], -limit, limit);
       }
-      sweep(model, system, contacts, pairs_among_bonds, 0, d, result);
+      sweep(model, system, contacts, pairs_among_bonds, 0, 1, d, result);
       if (!(result.residual < before.residual)) {
         d = d0;
         kd_ = kd0;
@@ -274,8 +275,8 @@ void OpenClose::take_states(const ContactTerms& contacts) {
 }
 
 double OpenClose::sweep(const Model& model, const System& system, const ContactTerms& contacts, int most, int worth,
-                        Vector& d, OpenCloseResult& result) {
-  const auto progress = sweeps_.run(most, sweep_tolerance, worth, normal_, shear_, d);
+                        double part, Vector& d, OpenCloseResult& result) {
+  const auto progress = sweeps_.run(most, sweep_tolerance, worth, part, normal_, shear_, d);
   result.sweeps += 2 * progress.pairs;
   result.sweep_change = progress.change;
   kd_.setZero(d.size());

@@ -8,6 +8,10 @@ namespace talus {
 
 namespace {
 
+// Where contacts did not converge they will not at the same step a little later: for so many steps it grows slowly.
+constexpr int caution = 40;
+constexpr double careful_growth = 1.05;
+
 // First step: what gravity and the initial velocities move by the limit.
 double first_step(const Model& model, double limit) {
   double speed = 0;
@@ -61,11 +65,13 @@ void StepSize::cut(double dt, double displacement) {
   const double bound = automatic_ ? limit_ : thinnest_;
   const double part = displacement > bound ? 0.9 * bound / displacement : 0.3;
   dt_ = dt * std::clamp(part, 0.1, 0.5);
+  if (displacement <= bound) cautious_ = caution;
 }
 
 void StepSize::accepted(double dt, double displacement, int iterations) {
   if (dt < 0.5 * dt_) return;  // a short last step says nothing
-  double growth = iterations > 25 ? 0.7 : iterations > 12 ? 1.0 : 1.5;
+  double growth = iterations > 25 ? 0.7 : iterations > 12 ? 1.0 : cautious_ > 0 ? careful_growth : 1.5;
+  if (cautious_ > 0) --cautious_;
   const double bound = automatic_ ? limit_ : thinnest_;
   if (displacement > 0) growth = std::min(growth, std::max(automatic_ ? 0.5 : 1.0, 0.9 * bound / displacement));
   dt_ = std::min(automatic_ ? dt * growth : dt_ * std::max(1.0, growth), most_);

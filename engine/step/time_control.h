@@ -19,6 +19,7 @@ class StepSize {
   template <class Visitor>  // of the registry, model/registry.h
   void visit_state(Visitor& visitor) {
     visitor("dt", dt_);
+    visitor("cautious", cautious_);
     dt_ = std::min(dt_, most_);
   }
 
@@ -27,6 +28,7 @@ class StepSize {
   double thinnest_;  // m, what a step given by the user may not pass either, where blocks can meet
   bool automatic_;
   double dt_, least_, most_, end_;
+  int cautious_ = 0;  // steps still to be grown slowly
   double every_;  // s, between outputs, which an automatic step does not pass; 0: none
 };
 
