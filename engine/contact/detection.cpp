@@ -214,8 +214,29 @@ void ContactSearch::find_outlines(const Model& model) {
     }
 }
 
+// Whether the last search found all there is: the same places, velocities, step and joints, to the last bit.
+bool ContactSearch::unmoved(const Model& model, double dt) {
+  std::vector<double> now;
+  now.reserve(12 * model.blocks.size() + 1);
+  for (const BlockState& b : model.blocks) {
+    now.insert(now.end(), {b.shift.x(), b.shift.y(), b.angle, b.strain[0], b.strain[1], b.strain[2]});
+    now.insert(now.end(), b.velocity.begin(), b.velocity.end());
+  }
+  now.push_back(double(model.revision));
+  const bool same = now == seen_ && dt == seen_dt_;
+  seen_ = std::move(now);
+  seen_dt_ = dt;
+  return same;
+}
+
 void ContactSearch::update(Model& model, double dt) {
+  const int intact = intact_joints_;
   find_surface(model);
+  if (model.time > time_) {
+    last_dt_ = model.time - time_;
+    time_ = model.time;
+  }
+  if (unmoved(model, dt) && intact == intact_joints_) return;
   std::vector<Contact> now;
   std::vector<MeetingCorners> meeting;
   for (const auto& [a, b] : broad_phase(model, surface_blocks_, dt))
@@ -224,10 +245,6 @@ void ContactSearch::update(Model& model, double dt) {
   std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
   carry_over(model, dt, now);
   model.contacts = std::move(now);
-  if (model.time > time_) {
-    last_dt_ = model.time - time_;
-    time_ = model.time;
-  }
   if (dt > 0 && dt < shorter * last_dt_) forgive_depth(model, dt);
 }
 

@@ -31,7 +31,10 @@ class ContactSearch {
   // on keep their state; one that hands over to a neighbouring edge or to its partner's vertex passes it on.
   void update(Model& model, double dt);
   // The surface is found anew: states of joints were set from outside.
-  void forget() { intact_joints_ = -1; }
+  void forget() {
+    intact_joints_ = -1;
+    seen_.clear();
+  }
   template <class Visitor>  // of the registry, model/registry.h
   void visit_state(Visitor& visitor) {
     visitor("time", time_);
@@ -41,11 +44,14 @@ class ContactSearch {
  private:
   void find_surface(const Model& model);
   void find_outlines(const Model& model);
+  bool unmoved(const Model& model, double dt);
 
   int intact_joints_ = -1;          // the surface is found anew when this changes
   std::vector<int> surface_blocks_;  // blocks with a free edge
   Surface surface_;
   double time_ = 0, last_dt_ = 0;    // s, of the last search of another time, and the accepted step since
+  std::vector<double> seen_;         // places and velocities of the last search
+  double seen_dt_ = 0;
   std::unordered_set<std::int64_t> bonded_;  // pairs glued along an edge, or round a corner they share
 };
 

@@ -13,6 +13,7 @@ namespace talus {
 
 struct OpenCloseResult {
   bool converged = false;
+  bool at_rest = false;  // balanced as it was: nothing has been solved
   bool missed = false;   // a contact presses that was not solved for
   int iterations = 0;   // solves with a factor
   int sweeps = 0;
@@ -49,7 +50,7 @@ class OpenClose {
   void solve_bonded(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
                     const std::vector<double>& base, double tolerance, int max_iterations, bool motion, Vector& d,
                     OpenCloseResult& result);
-  bool settled(const ContactTerms& contacts) const;
+  int changed_states(const ContactTerms& contacts) const;
   void continue_states(const Model& model);
   bool factor(System& system, const ContactTerms& contacts, const std::vector<double>& base, LinearSolver& solver,
               OpenCloseResult& result);

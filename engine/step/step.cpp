@@ -19,7 +19,8 @@ namespace {
 // put: this part of (wave speed / size)², far below the slowest mode of what is held.
 constexpr double least_hold = 1e-4;
 constexpr int equilibrium_iterations = 200;
-constexpr int release_iterations = 20;  // from the sticking one; a scene that slides is not followed further
+constexpr int held_iterations = 15;  // open–close, before equilibrium is sought against more inertia, where states change less
+constexpr int release_iterations = 40;  // from the sticking one; a scene that slides is not followed further
 
 // What an attempt at a step changes before it is known to succeed; put back unless keep() is called.
 class Attempt {
@@ -100,6 +101,7 @@ StepReport Stepper::dynamic_step() {
     std::vector<BlockState> moved;
     if (result.converged) {
       moved = moved_blocks(model_, scheme, d);
+      if (result.at_rest) hold_still(model_, dt, moved);
       report.displacement = largest_displacement(model_, moved);
     }
     if (!result.converged || step_size_.too_far(report.displacement)) {
@@ -195,7 +197,7 @@ bool Stepper::find_equilibrium(bool stick, int iterations, Equilibrium& search) 
     result = solve(false, d);
     report.iterations += result.iterations;
     if (!result.converged && plan_.contacts && result.singular_block < 0) {
-      hold *= 10;
+      hold *= stick ? 100 : 30;
       ++totals_.cuts;
       continue;
     }
@@ -244,12 +246,12 @@ void Stepper::assemble(const Scheme& scheme, bool stick, double nearness) {
   if (plan_.contacts) contacts_.find_slots(system_.matrix, model_);
 }
 
-OpenCloseResult Stepper::solve(bool smoothed, Vector& d) {
+OpenCloseResult Stepper::solve(bool motion, Vector& d) {
   PartTimer timer(totals_, "open-close and solve");
   const Numerics& numerics = model_.scene.numerics;
   const long before = solver_.factorisations;
   OpenCloseResult result = open_close_.solve(model_, system_, contacts_, solver_, numerics.contact_tolerance,
-                                             numerics.max_iterations, smoothed, d);
+                                             motion ? numerics.max_iterations : std::min(numerics.max_iterations, held_iterations), motion, d);
   if (!d.allFinite()) result.converged = false;
   totals_.iterations += result.iterations;
   totals_.factorisations += solver_.factorisations - before;

@@ -45,7 +45,7 @@ class Stepper {
     Vector d;  // m, last displacements
   };
   bool find_equilibrium(bool stick, int iterations, Equilibrium& search);
-  OpenCloseResult solve(bool smoothed, Vector& d);
+  OpenCloseResult solve(bool motion, Vector& d);
   void assemble(const Scheme& scheme, bool stick, double nearness);
   void accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d);
   [[noreturn]] void give_up(const OpenCloseResult& result, double dt) const;

@@ -82,7 +82,7 @@ local memory = one:save(file)
 local done, course = advance(one)
 local time = one.time
 check.truth("the state has changed", start ~= half and half ~= done)
-check.above("closed contacts at the end", one.last.closed_contacts, 40)
+check.above("closed contacts at the end", one.last.closed_contacts, 30)
 
 check.equal("second run, half-way", (advance(two)), half)
 check.equal("second run, done", (advance(two)), done)
