@@ -30,7 +30,8 @@ void add_sizes(Json& json, const Model& model) {
 void add_totals(Json& json, const RunTotals& totals) {
   json.whole("steps", totals.steps).whole("iterations", totals.iterations);
   json.whole("largest_iterations", totals.largest_iterations).whole("step_cuts", totals.cuts);
-  json.whole("factorisations", totals.factorisations).number("largest_residual", totals.largest_residual);
+  json.whole("steps_at_rest", totals.steps_at_rest).whole("steps_by_sweeps", totals.steps_by_sweeps);
+  json.whole("sweeps", totals.sweeps).whole("factorisations", totals.factorisations).number("largest_residual", totals.largest_residual);
 }
 
 void add_energy(Json& json, const Simulation& simulation) {

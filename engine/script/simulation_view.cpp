@@ -62,8 +62,11 @@ void push_energy(lua_State* L, Simulation& simulation) {
 
 void push_totals(lua_State* L, const Simulation& simulation) {
   const RunTotals& totals = simulation.totals;
-  lua_createtable(L, 0, 7);
+  lua_createtable(L, 0, 10);
   set_integer(L, "steps", totals.steps);
+  set_integer(L, "steps_at_rest", totals.steps_at_rest);
+  set_integer(L, "steps_by_sweeps", totals.steps_by_sweeps);
+  set_integer(L, "sweeps", totals.sweeps);
   set_integer(L, "iterations", totals.iterations);
   set_integer(L, "cuts", totals.cuts);
   set_integer(L, "factorisations", totals.factorisations);

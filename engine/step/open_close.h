@@ -13,7 +13,6 @@ namespace talus {
 
 struct OpenCloseResult {
   bool converged = false;
-  bool at_rest = false;  // balanced as it was: nothing has been solved
   bool missed = false;   // a contact presses that was not solved for
   int iterations = 0;   // solves with a factor
   int sweeps = 0;

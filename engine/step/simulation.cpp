@@ -12,12 +12,15 @@ namespace talus {
 
 void visit_state(RunTotals& totals, StateVisitor& v) {
   // parts: CPU time is the process's.
-  [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, largest_iterations, largest_residual, parts] =
-      totals;
+  [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, sweeps, steps_at_rest, steps_by_sweeps,
+                          largest_iterations, largest_residual, parts] = totals;
   v("steps", steps);
   v("iterations", iterations);
   v("cuts", cuts);
   v("factorisations", factorisations);
+  v("sweeps", sweeps);
+  v("steps_at_rest", steps_at_rest);
+  v("steps_by_sweeps", steps_by_sweeps);
   v("largest_iterations", largest_iterations);
   v("largest_residual", largest_residual);
 }

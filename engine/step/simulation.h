@@ -28,6 +28,9 @@ struct StepReport {
 
 struct RunTotals {
   long steps = 0, iterations = 0, cuts = 0, factorisations = 0;
+  long sweeps = 0;          // over the contacts
+  long steps_at_rest = 0;   // in which nothing moved: not solved
+  long steps_by_sweeps = 0; // solved without a factor
   int largest_iterations = 0;
   double largest_residual = 0;
   struct Part { std::string name; double seconds = 0; };  // CPU seconds

@@ -46,6 +46,8 @@ class Stepper {
   };
   bool find_equilibrium(bool stick, int iterations, Equilibrium& search);
   OpenCloseResult solve(bool motion, Vector& d);
+  bool rests(double dt);
+  OpenCloseResult stay(Vector& d);
   void assemble(const Scheme& scheme, bool stick, double nearness);
   void accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d);
   [[noreturn]] void give_up(const OpenCloseResult& result, double dt) const;

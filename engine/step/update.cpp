@@ -1,9 +1,5 @@
 #include "step/update.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "equations/block_terms.h"
 
 namespace talus {
@@ -33,17 +29,6 @@ std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, c
     }
   }
   return moved;
-}
-
-void hold_still(const Model& model, double dt, std::vector<BlockState>& moved) {
-  const double rounding = 16 * std::numeric_limits<double>::epsilon() * model.extent;
-  for (size_t b = 0; b < moved.size(); ++b) {
-    const auto& v = model.blocks[b].velocity;
-    if (std::any_of(v.begin(), v.end(), [&](double rate) { return std::abs(rate) * dt > rounding; })) continue;
-    if (model.shapes[b].dofs == 0) continue;
-    moved[b] = model.blocks[b];
-    moved[b].velocity.fill(0);
-  }
 }
 
 double largest_displacement(const Model& model, const std::vector<BlockState>& moved) {

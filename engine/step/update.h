@@ -9,10 +9,6 @@ namespace talus {
 // is what keeps angular momentum about the centroid as the block's moments change with its strain.
 std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, const Vector& d);
 
-// Where nothing had to be solved: blocks so slow that a step moves them by less than their places are rounded to are left
-// where they are, at rest.
-void hold_still(const Model& model, double dt, std::vector<BlockState>& moved);
-
 // Largest displacement of any vertex between the model's states and `moved`, m.
 double largest_displacement(const Model& model, const std::vector<BlockState>& moved);
 
