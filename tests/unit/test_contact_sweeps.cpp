@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "assembled.h"
+#include "contact/detection.h"
+#include "small_scene.h"
+#include "step/contact_sweeps.h"
+
+namespace talus {
+namespace {
+
+using test::rectangle;
+using test::region;
+
+constexpr double dt = 0.01;
+
+// A step of loose blocks on a held floor, solved by sweeps.
+struct Swept {
+  Model model;
+  Scheme scheme = Scheme::theta(dt, 0.75);
+  std::unique_ptr<test::Assembled> assembled;
+  ContactTerms terms;
+  ContactSweeps sweeps;
+  ContactSweeps::Progress progress;
+  std::vector<double> normal, shear;
+  Vector d;
+
+  Swept(const std::vector<Polyline>& blocks, double friction, const Vec2& gravity, int most = 2000, double part = 1) {
+    std::vector<Region> regions = {region("floor", rectangle(-5, -1, 10, 1))};
+    for (const Polyline& outline : blocks) regions.push_back(region("b" + std::to_string(regions.size()), outline));
+    Scene scene = test::scene_of(regions);
+    scene.regions[0].held = true;
+    scene.properties[0].friction = friction;
+    scene.gravity = gravity;
+    scene.time.mode = Mode::dynamic;
+    model = build(scene);
+    ContactSearch search;
+    search.update(model, dt);
+    assembled = std::make_unique<test::Assembled>(model, scheme);
+    terms.linearise(model, assembled->poses, scheme, false, 1);
+    sweeps.start(model, assembled->system, terms);
+    normal.assign(model.contacts.size(), 0);
+    shear = normal;
+    d.setZero(model.dofs);
+    progress = sweeps.run(most, 1e-15, 0, part, normal, shear, d);
+  }
+  double gap(size_t k) const {
+    const ContactRows& row = terms.rows()[k];
+    return row.gap0 + terms.factor() * row.along(row.normal_i, row.normal_j, d);
+  }
+  double slide(size_t k) const {
+    const ContactRows& row = terms.rows()[k];
+    return row.slide0 + terms.factor() * row.along(row.shear_i, row.shear_j, d);
+  }
+  // Momentum with the contacts' forces, N.
+  double out_of_balance() const {
+    Vector r = assembled->system.force - assembled->dense() * d;
+    for (size_t k = 0; k < normal.size(); ++k) {
+      const ContactRows& row = terms.rows()[k];
+      row.add(row.normal_i, row.normal_j, normal[k], r);
+      row.add(row.shear_i, row.shear_j, -shear[k], r);
+    }
+    return r.norm();
+  }
+};
+
+// Coulomb's law at every contact, to `tolerance` N.
+void expect_law(const Swept& s, double tolerance) {
+  for (size_t k = 0; k < s.normal.size(); ++k) {
+    const ContactRows& row = s.terms.rows()[k];
+    const double n = row.kn * std::max(0.0, -s.gap(k)), limit = row.friction * n;
+    EXPECT_NEAR(s.normal[k], n, tolerance) << k;
+    EXPECT_NEAR(s.shear[k], std::clamp(row.ks * s.slide(k), -limit, limit), tolerance) << k;
+  }
+}
+
+const std::vector<Polyline> heap = {rectangle(0, 0, 1, 1), rectangle(1, 0, 1, 1), rectangle(0.4, 1, 1, 1),
+                                    {{1.4, 1}, {2.3, 1}, {1.9, 1.8}}};
+
+TEST(ContactSweeps, MeetTheLawAndTheMomentum) {
+  for (const double friction : {0.0, 0.2, 0.8}) {
+    const Swept s(heap, friction, {3, -9});
+    const double weight = 2 * 9 * 3.36;
+    EXPECT_LT(s.progress.change, 1e-14) << friction;
+    EXPECT_LT(s.out_of_balance(), 1e-11 * weight) << friction;
+    expect_law(s, 1e-8 * weight);
+  }
+}
+
+TEST(ContactSweeps, HalfOfEachChangeEndsInTheSameForces) {
+  const Swept whole(heap, 0.5, {3, -9}), half(heap, 0.5, {3, -9}, 4000, 0.5);
+  for (size_t k = 0; k < whole.normal.size(); ++k) {
+    EXPECT_NEAR(half.normal[k], whole.normal[k], 1e-8);
+    EXPECT_NEAR(half.shear[k], whole.shear[k], 1e-8);
+  }
+}
+
+// g (1, -1): above 45 degrees of friction the block sticks, below it slides with T = N tan φ.
+TEST(ContactSweeps, StickAndSlip) {
+  for (const double friction : {0.9, 0.4}) {
+    const Swept s({rectangle(0, 0, 4, 1)}, friction, {5, -5});
+    double normal = 0, shear = 0;
+    for (size_t k = 0; k < s.normal.size(); ++k) {
+      const double way = s.model.contacts[k].i == 1 ? 1 : -1;
+      normal += s.normal[k];
+      shear += way * s.shear[k];
+    }
+    const double tangent = s.terms.rows()[0].friction;
+    if (tangent < 1) EXPECT_NEAR(std::abs(shear), tangent * normal, 1e-9 * normal);
+    else EXPECT_LT(std::abs(shear), tangent * normal);
+  }
+}
+
+TEST(ContactSweeps, AFreeBlockNeedsNone) {
+  const Swept s({rectangle(0, 5, 1, 1)}, 0.5, {0, -10});
+  EXPECT_TRUE(s.sweeps.whole());
+  EXPECT_LT(s.out_of_balance(), 1e-13);
+}
+
+// Triangles round a point: each presses on its neighbours' faces, none on those across.
+TEST(Contacts, BlocksThatMeetInAPointPressOnFacesOnly) {
+  std::vector<Region> regions;
+  const Vec2 centre(0.1, 0.2);
+  const int count = 7;
+  for (int k = 0; k < count; ++k) {
+    const double from = 2 * M_PI * k / count, to = 2 * M_PI * (k + 1) / count;
+    regions.push_back(region("t" + std::to_string(k),
+                             {centre, centre + Vec2(std::cos(from), std::sin(from)), centre + Vec2(std::cos(to), std::sin(to))}));
+  }
+  Model model = build(test::scene_of(regions));
+  ContactSearch search;
+  search.update(model, 0.01);
+  EXPECT_EQ(model.contacts.size(), 2u * count);
+  for (const Contact& c : model.contacts) {
+    const int apart = std::abs(c.i - c.j);
+    EXPECT_TRUE(apart == 1 || apart == count - 1) << c.i << " " << c.j;
+  }
+}
+
+}  // namespace
+}  // namespace talus
