@@ -21,7 +21,8 @@ namespace {
 constexpr double least_hold = 1e-4;
 constexpr int equilibrium_iterations = 200;
 constexpr int held_iterations = 15;  // open–close, before equilibrium is sought against more inertia, where states change less
-constexpr int release_iterations = 40;  // from the sticking one; a scene that slides is not followed further
+constexpr double release_hold = 100;  // so that states change a few at a time
+constexpr int release_iterations = 40;
 
 // What an attempt at a step changes before it is known to succeed; put back unless keep() is called.
 class Attempt {
@@ -137,7 +138,7 @@ StepReport Stepper::load_step(double from, bool first) {
 
 StepReport Stepper::equilibrium(bool stick) {
   Equilibrium search;
-  if (find_equilibrium(stick, equilibrium_iterations, search)) return search.report;
+  if (find_equilibrium(stick, 0, equilibrium_iterations, search)) return search.report;
   if (search.last.singular_block >= 0) give_up(search.last, 0);
   throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: " +
                  block_name(model_, culprit(search)) +
@@ -146,23 +147,23 @@ StepReport Stepper::equilibrium(bool stick) {
 
 std::string Stepper::settle() {
   Equilibrium stuck, released;
-  const auto settles = [&](bool stick, int iterations, Equilibrium& search) {
+  const auto settles = [&](bool stick, double hold, int iterations, Equilibrium& search) {
     StateWriter before;
     talus::visit_state(model_, before);
-    if (find_equilibrium(stick, iterations, search)) return true;
+    if (find_equilibrium(stick, hold, iterations, search)) return true;
     StateReader back(before.bytes);
     talus::visit_state(model_, back);
     model_.place_vertices();
     return false;
   };
-  if (!settles(true, equilibrium_iterations, stuck)) {
+  if (!settles(true, 0, equilibrium_iterations, stuck)) {
     if (stuck.last.singular_block >= 0) give_up(stuck.last, 0);
     return "no settled start: even with joints that do not slide, " + block_name(model_, culprit(stuck)) +
            " topples or falls; the run starts at rest as given";
   }
   // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
   // starts from there, or the first steps would shake it.
-  if (plan_.contacts) settles(false, release_iterations, released);
+  if (plan_.contacts) settles(false, release_hold, release_iterations, released);
   for (Contact& contact : model_.contacts) contact.slip = 0;
   return {};
 }
@@ -177,11 +178,11 @@ void Stepper::restored() {
   search_.forget();
 }
 
-bool Stepper::find_equilibrium(bool stick, int iterations, Equilibrium& search) {
+bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search) {
   auto& [report, result, d] = search;
   const double least = plan_.contacts ? least_hold : 0;
   const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
-  double hold = least;
+  hold = std::max(hold, least);
   for (BlockState& state : model_.blocks) state.velocity.fill(0);
   if (plan_.held_blocks) place_held_blocks(model_);
   for (int i = 0; i < iterations; ++i) {

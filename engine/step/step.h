@@ -44,7 +44,7 @@ class Stepper {
     OpenCloseResult last;
     Vector d;  // m, last displacements
   };
-  bool find_equilibrium(bool stick, int iterations, Equilibrium& search);
+  bool find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search);
   OpenCloseResult solve(bool motion, Vector& d);
   bool rests(double dt);
   OpenCloseResult stay(Vector& d);
