@@ -123,6 +123,7 @@ std::shared_ptr<Run> Session::add_run(Scene scene, RunHandlers handlers) {
   ++runs_made_;
   runs_.push_back(run);
   latest_ = run;
+  if (options_.on_run) options_.on_run(*run);
   if (options_.plan_only) std::fputs(plan_text(run->simulation).c_str(), stdout);
   return run;
 }

@@ -1,5 +1,6 @@
 #pragma once
 // One script from start to end: parameters, the simulations it makes, its checks, and the exit status.
+#include <functional>
 #include <lua.hpp>
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@ struct SessionOptions {
   std::string command_line;
   bool plan_only = false;
   bool progress = true;
+  std::function<void(Run&)> on_run{};  // for every simulation that the script makes, before its first step
 };
 
 // Exit status of the program.

@@ -32,6 +32,8 @@ class OpenClose {
                         double tolerance, int max_iterations, bool motion, Vector& d);
   // Residual at d = 0 without solving.
   OpenCloseResult judge(const Model& model, const System& system, const ContactTerms& contacts);
+  // Residual at d, as solve() has it.
+  OpenCloseResult judge(const Model& model, const System& system, const ContactTerms& contacts, const Vector& d);
   // States, forces and stretches of the last solution into the model's contacts.
   void store(Model& model, const ContactTerms& contacts) const;
 

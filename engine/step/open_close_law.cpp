@@ -80,10 +80,9 @@ void OpenClose::judge_residual(const Model& model, const System& system, const C
     const double out = r_.segment(shape.dof_begin, shape.dofs).norm();
     if (out <= rounding[b]) continue;
     const double relative = (out - rounding[b]) / std::max(scale[b], floor);
-    if (!(relative <= result.residual)) {  // so written that one that is not a number counts as the worst
-      result.residual = relative;
-      result.worst_block = int(b);
-    }
+    if (std::isnan(result.residual) || relative <= result.residual) continue;
+    result.residual = relative;  // also where it is not a number: the worst there is
+    result.worst_block = int(b);
   }
 }
 
@@ -94,6 +93,17 @@ OpenCloseResult OpenClose::judge(const Model& model, const System& system, const
   // Gaps are differences of places: their rounding times the stiffness is no force.
   const double place_rounding = 8 * std::numeric_limits<double>::epsilon() * model.extent;
   judge_residual(model, system, contacts, place_rounding, result);
+  return result;
+}
+
+OpenCloseResult OpenClose::judge(const Model& model, const System& system, const ContactTerms& contacts,
+                                 const Vector& d) {
+  OpenCloseResult result;
+  start(model, system, contacts);
+  system.matrix.multiply(d, kd_);
+  evaluate(contacts, d);
+  judge_residual(model, system, contacts, 0, result);
+  result.missed = missed_;
   return result;
 }
 

@@ -71,6 +71,7 @@ class Simulation {
   std::vector<std::string> notes;  // what the user should know of the run; shown and kept in run.json
   Ledger ledger;                   // of energy, since the start of the run
   Energies energies() const;
+  Stepper& stepper() { return *stepper_; }
   // Smoothed stress, brought up to date on first use after a step. Null when numerics.recovery is off.
   const Recovery* recovery();
 

@@ -93,6 +93,7 @@ StepReport Stepper::dynamic_step() {
     double nearness = 1;
     do {  // again with more of the candidates where one presses that was not expected to
       assemble(scheme, false, nearness);
+      if (on_assembled) on_assembled(scheme, system_, contacts_);
       result = rests(dt) ? stay(d) : solve(true, d);
       nearness *= 8;
     } while (result.missed);

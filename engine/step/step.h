@@ -1,5 +1,6 @@
 #pragma once
 // One step of the simulation, and equilibrium.
+#include <functional>
 #include <vector>
 
 #include "contact/detection.h"
@@ -31,6 +32,9 @@ class Stepper {
 
   void begin_ledger();  // the energies since the present state
   Energies energies();
+
+  // Called with what is about to be solved for contacts in a step of motion, at every attempt (tests/contact).
+  std::function<void(const Scheme&, const System&, const ContactTerms&)> on_assembled;
 
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
   void restored();                          // the model has been put back: what was derived from it is stale

@@ -1,0 +1,170 @@
+// Compares ways to solve a step's contacts on the same problems: study <folder of problems.txt> [name…]. Each problem is a scene, run
+// by the engine to its last step (time.max_steps), whose contact problem every candidate then gets. Writes the table of
+// docs/contact_study.md to standard output; scripts/contact_study runs it.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "problem.h"
+#include "script/session.h"
+#include "step/part_timer.h"
+#include "step/step.h"
+
+namespace talus::study {
+
+namespace {
+
+struct Entry {
+  std::string name, scene;
+  std::vector<std::pair<std::string, std::string>> parameters;
+};
+
+struct Tally {
+  int converged = 0, tried = 0;
+  double worst_residual = 0;
+  std::vector<double> costs;
+};
+
+std::vector<Entry> read_list(const std::string& folder) {
+  std::ifstream file(folder + "/problems.txt");
+  std::vector<Entry> list;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    Entry entry;
+    if (line.empty() || line[0] == '#' || !(words >> entry.name >> entry.scene)) continue;
+    for (std::string word; words >> word;) {
+      const size_t equals = word.find('=');
+      entry.parameters.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+    }
+    list.push_back(entry);
+  }
+  return list;
+}
+
+// Least of ten: one factorisation and solve with all springs of the problem in the matrix.
+double bare_cost(const Problem& problem) {
+  Desk desk(problem);
+  std::vector<double> kn, ks;
+  for (size_t k = 0; k < desk.count(); ++k) {
+    kn.push_back(desk.row(k).kn);
+    ks.push_back(desk.row(k).ks);
+  }
+  double least = 1e9;
+  Vector x;
+  for (int i = 0; i < 10; ++i) {
+    desk.factorise(kn, ks);  // assembly is not counted
+    const double start = cpu_seconds();
+    desk.refactorise();
+    desk.solve(problem.system.force, x);
+    least = std::min(least, cpu_seconds() - start);
+  }
+  return least;
+}
+
+int closed_contacts(const Problem& problem, const Vector& d) {
+  int closed = 0;
+  for (const ContactRows& row : problem.contacts.rows())
+    closed += row.gap0 + problem.contacts.factor() * row.along(row.normal_i, row.normal_j, d) < 0;
+  return closed;
+}
+
+void print_row(const Problem& problem, const Named& candidate, const Outcome& outcome) {
+  std::printf("| %s | %s | %.1e | %d | %d | %.1f | ", candidate.name, outcome.converged ? "yes" : "no", outcome.residual,
+              outcome.factorisations, outcome.sweeps, outcome.seconds / problem.bare);
+  if (outcome.converged) std::printf("%.6e", problem.energy(outcome.d) - problem.energy());
+  std::printf(" | %s |\n", outcome.note.c_str());
+  std::fflush(stdout);
+}
+
+// own: the residual at which the engine took the step, or 0 where it had to cut it.
+void compare(Problem& problem, double own, std::map<std::string, Tally>& tallies) {
+  if (Desk(problem).count() == 0) throw std::runtime_error(problem.name + ": nothing touches in this step");
+  problem.bare = bare_cost(problem);
+  std::vector<Outcome> outcomes;
+  for (const Named& candidate : candidates()) {
+    Desk desk(problem);
+    const double start = cpu_seconds();
+    candidate.solve(desk);
+    desk.outcome.seconds = cpu_seconds() - start;
+    outcomes.push_back(desk.outcome);
+  }
+  if (own > 0 && outcomes.back().residual != own)
+    throw std::logic_error(problem.name + ": this is not the problem that the engine has solved");
+  const auto best = std::find_if(outcomes.rbegin(), outcomes.rend(), [](const Outcome& o) { return o.converged; });
+  const int closed = best == outcomes.rend() ? 0 : closed_contacts(problem, best->d);
+  std::printf("\n## %s\n\n%zu blocks, Δt %.3g s, %zu contacts, %zu near, %d closed; E at the start %.6e J; bare %.3g ms.\n\n",
+              problem.name.c_str(), problem.model.blocks.size(), problem.scheme.dt, problem.contacts.rows().size(),
+              Desk(problem).count(), closed, problem.energy(), 1e3 * problem.bare);
+  std::printf("| candidate | converged | residual | factors | sweeps | CPU, bare | ΔE, J | |\n|---|---|---|---|---|---|---|---|\n");
+  for (size_t c = 0; c < outcomes.size(); ++c) {
+    print_row(problem, candidates()[c], outcomes[c]);
+    Tally& tally = tallies[candidates()[c].name];
+    ++tally.tried;
+    tally.converged += outcomes[c].converged;
+    if (outcomes[c].converged) tally.costs.push_back(outcomes[c].seconds / problem.bare);
+    else tally.worst_residual = std::max(tally.worst_residual, outcomes[c].residual);
+  }
+}
+
+// Runs the scene with the engine and compares on the problem of its last step.
+bool study(const std::string& folder, const Entry& entry, std::map<std::string, Tally>& tallies) {
+  Problem problem;
+  bool found = false;
+  SessionOptions options;
+  options.script = folder + "/" + entry.scene;
+  options.parameters = entry.parameters;
+  options.progress = false;
+  options.on_run = [&](Run& run) {
+    Simulation& simulation = run.simulation;
+    double tried = 0;  // the step first tried: with more candidates near where one was missed, not the shorter ones after a cut
+    simulation.stepper().on_assembled = [&, tried](const Scheme& scheme, const System& system, const ContactTerms& contacts) mutable {
+      if (simulation.totals.steps + 1 != simulation.model.scene.time.max_steps) return;
+      if (tried == 0) tried = scheme.dt;
+      if (scheme.dt == tried) problem = {entry.name, simulation.model, scheme, system, contacts};
+    };
+    simulation.on_step.emplace_back([&](Simulation& now) {
+      if (now.totals.steps != now.model.scene.time.max_steps) return;
+      found = true;
+      compare(problem, now.last.cuts == 0 ? now.last.residual : 0, tallies);
+      problem = {};  // laws of the script go before it
+    });
+  };
+  const int status = Session(std::move(options)).execute();
+  problem = {};
+  if (status != 0 || !found) std::fprintf(stderr, "study: %s did not get to its step\n", entry.name.c_str());
+  return status == 0 && found;
+}
+
+void summary(std::map<std::string, Tally>& tallies) {
+  std::printf("\n## Summary\n\n| candidate | solved | median cost | worst cost | worst residual left |\n|---|---|---|---|---|\n");
+  for (const Named& candidate : candidates()) {
+    Tally& tally = tallies[candidate.name];
+    std::sort(tally.costs.begin(), tally.costs.end());
+    std::printf("| %s | %d of %d | ", candidate.name, tally.converged, tally.tried);
+    if (tally.costs.empty()) std::printf("| | ");
+    else std::printf("%.1f | %.1f | ", tally.costs[tally.costs.size() / 2], tally.costs.back());
+    if (tally.worst_residual > 0) std::printf("%.0e", tally.worst_residual);
+    std::printf(" |\n");
+  }
+}
+
+}  // namespace
+
+}  // namespace talus::study
+
+int main(int argc, char** argv) {
+  using namespace talus::study;
+  if (argc < 2) return std::fprintf(stderr, "study <folder of problems.txt> [name…]\n"), 2;
+  std::map<std::string, Tally> tallies;
+  bool good = true;
+  for (const Entry& entry : read_list(argv[1])) {
+    if (argc > 2 && std::find(argv + 2, argv + argc, entry.name) == argv + argc) continue;
+    good = study(argv[1], entry, tallies) && good;
+  }
+  summary(tallies);
+  return good ? 0 : 1;
+}
