@@ -38,10 +38,7 @@ class Cone {
 };
 
 Cone::Cone(Desk& desk) : desk_(desk), count_(desk.count()) {
-  double force = 0, length = 0;
-  for (const double scale : desk.problem.system.force_scale) force += scale / double(desk.problem.system.force_scale.size());
-  for (size_t k = 0; k < count_; ++k) length += std::max(0.0, -desk.row(k).gap0) / double(count_);
-  length = std::max(length, force / desk.row(0).kn);
+  const double force = desk.usual_force(), length = desk.usual_length();
   first_ = force * length;
   d_.setZero(desk.problem.system.force.size());
   for (auto* list : {&t_, &dn_, &dt_, &dup_, &dum_, &gap_off_, &slide_off_, &nn_, &nt_, &tt_}) list->assign(count_, 0);

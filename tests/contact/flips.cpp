@@ -74,16 +74,18 @@ void flips(Desk& desk) {
   std::vector<double> gap, slide;
   desk.places(Vector::Zero(desk.problem.system.force.size()), gap, slide);
   States s = of_last_step(desk, gap);
-  char note[120] = "";
+  char note[160] = "";
   bool settled = false;
   while (!desk.done() && !desk.spent()) {
     const Vector d = solved(desk, s);
     const double residual = desk.judge(d);
     desk.places(d, gap, slide);
     const int flipped = flip(desk, gap, slide, s);
-    if (flipped == 0 && !settled) {
+    if ((flipped == 0 || desk.done()) && !settled) {
       settled = true;
-      std::snprintf(note, sizeof note, "states settle after %d, residual %.1e", desk.outcome.factorisations, residual);
+      std::snprintf(note, sizeof note, "states settle after %d: residual %.1e, ΔE %.6e", desk.outcome.factorisations, residual,
+                    desk.problem.energy(d) - desk.problem.energy());
+      if (desk.outcome.factorisations <= usual) desk.outcome.accepted = residual;
     }
     if (desk.outcome.factorisations == usual && !settled)
       std::snprintf(note, sizeof note, "after %d: %d states flip, residual %.1e", usual, flipped, residual);

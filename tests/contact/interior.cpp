@@ -152,10 +152,7 @@ int Frozen::solve(Interior& x) {
 }
 
 void interior(Desk& desk, bool warm) {
-  double force = 0, length = 0;
-  for (const double scale : desk.problem.system.force_scale) force += scale / double(desk.problem.system.force_scale.size());
-  for (size_t k = 0; k < desk.count(); ++k) length += std::max(0.0, -desk.row(k).gap0) / double(desk.count());
-  length = std::max(length, force / desk.row(0).kn);
+  const double force = desk.usual_force(), length = desk.usual_length();
   std::vector<double> limit, pace(desk.count(), 1), last(desk.count(), 0);
   for (size_t k = 0; k < desk.count(); ++k) limit.push_back(Desk::limit(desk.row(k), desk.contact(k).normal_force));
   Interior x;

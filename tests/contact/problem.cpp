@@ -71,6 +71,29 @@ Vector Desk::out_of_balance(const Vector& d, const std::vector<double>& normal, 
   return r;
 }
 
+double Desk::usual_length() const {
+  double sum = 0;
+  for (size_t k = 0; k < count(); ++k) sum += std::max(0.0, -row(k).gap0);
+  return std::max(sum / double(count()), 1e-3 * usual_force() / row(0).kn);
+}
+
+// The larger of what loads a block and of what it takes to move it by the usual overlap within the step.
+double Desk::usual_force() const {
+  const auto& shapes = problem.model.shapes;
+  double load = 0, inertia = 0, overlap = 0;
+  int moving = 0;
+  for (size_t b = 0; b < shapes.size(); ++b) {
+    if (shapes[b].dofs == 0) continue;
+    DofMatrix k = DofMatrix::Identity();
+    problem.system.matrix.diagonal(int(b), k);
+    load += problem.system.force_scale[b];
+    inertia += k(0, 0);
+    ++moving;
+  }
+  for (size_t k = 0; k < count(); ++k) overlap += std::max(0.0, -row(k).gap0) / double(count());
+  return std::max(load, inertia * overlap) / std::max(1, moving);
+}
+
 double Desk::judge(const Vector& d) {
   if (!d.allFinite()) return std::numeric_limits<double>::infinity();
   const OpenCloseResult result = judge_.judge(problem.model, problem.system, problem.contacts, d);

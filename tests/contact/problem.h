@@ -35,6 +35,7 @@ struct Outcome {
   int factorisations = 0, sweeps = 0;
   double seconds = 0;  // CPU
   Vector d;  // that of the residual
+  double accepted = -1;  // classical flips: the residual that their own rule accepts, or -1 where it takes a shorter step
   std::string note;
 };
 
@@ -57,6 +58,9 @@ class Desk {
   // f - K d + Σ N n - T s
   Vector out_of_balance(const Vector& d, const std::vector<double>& normal, const std::vector<double>& shear) const;
   Vector product(const Vector& x) const;  // K x, without contacts
+  // What is usual here, for interiors to start from: N, m.
+  double usual_force() const;
+  double usual_length() const;
   // Residual of the coupled law at d, by the engine's own judge. Sets the outcome.
   double judge(const Vector& d);
   bool done() const { return outcome.converged; }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -18,6 +19,8 @@ namespace talus::study {
 
 namespace {
 
+constexpr double alike = 1e-5;  // part of the change of energy
+
 struct Entry {
   std::string name, scene;
   std::vector<std::pair<std::string, std::string>> parameters;
@@ -26,6 +29,7 @@ struct Entry {
 struct Tally {
   int converged = 0, tried = 0;
   double worst_residual = 0;
+  std::vector<double> accepted;  // classical flips
   std::vector<double> costs;
 };
 
@@ -99,12 +103,22 @@ void compare(Problem& problem, double own, std::map<std::string, Tally>& tallies
   std::printf("\n## %s\n\n%zu blocks, Δt %.3g s, %zu contacts, %zu near, %d closed; E at the start %.6e J; bare %.3g ms.\n\n",
               problem.name.c_str(), problem.model.blocks.size(), problem.scheme.dt, problem.contacts.rows().size(),
               Desk(problem).count(), closed, problem.energy(), 1e3 * problem.bare);
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const Outcome& outcome : outcomes)
+    if (outcome.converged) {
+      const double change = problem.energy(outcome.d) - problem.energy();
+      least = std::min(least, change);
+      most = std::max(most, change);
+    }
+  if (most - least > alike * std::max(std::abs(most), std::abs(least)))
+    std::printf("Converged to more than one solution, friction leaves a choice.\n\n");
   std::printf("| candidate | converged | residual | factors | sweeps | CPU, bare | ΔE, J | |\n|---|---|---|---|---|---|---|---|\n");
   for (size_t c = 0; c < outcomes.size(); ++c) {
     print_row(problem, candidates()[c], outcomes[c]);
     Tally& tally = tallies[candidates()[c].name];
     ++tally.tried;
     tally.converged += outcomes[c].converged;
+    if (outcomes[c].accepted >= 0) tally.accepted.push_back(outcomes[c].accepted);
     if (outcomes[c].converged) tally.costs.push_back(outcomes[c].seconds / problem.bare);
     else tally.worst_residual = std::max(tally.worst_residual, outcomes[c].residual);
   }
@@ -145,11 +159,18 @@ void summary(std::map<std::string, Tally>& tallies) {
     Tally& tally = tallies[candidate.name];
     std::sort(tally.costs.begin(), tally.costs.end());
     std::printf("| %s | %d of %d | ", candidate.name, tally.converged, tally.tried);
-    if (tally.costs.empty()) std::printf("| | ");
+    if (tally.costs.empty()) std::printf("– | – | ");
     else std::printf("%.1f | %.1f | ", tally.costs[tally.costs.size() / 2], tally.costs.back());
-    if (tally.worst_residual > 0) std::printf("%.0e", tally.worst_residual);
-    std::printf(" |\n");
+    if (tally.worst_residual > 0) std::printf("%.0e |\n", tally.worst_residual);
+    else std::printf("– |\n");
   }
+  const Tally& classical = tallies[candidates().front().name];
+  const auto& accepted = classical.accepted;
+  std::printf("\nBy their own rule, states that no longer flip within six iterations, the classical flips accept %zu of the %d problems",
+              accepted.size(), classical.tried);
+  if (accepted.empty()) std::printf(".\n");
+  else std::printf(", at residuals up to %.0e; the others they take again with a shorter step.\n",
+              *std::max_element(accepted.begin(), accepted.end()));
 }
 
 }  // namespace
