@@ -21,8 +21,9 @@ class Cone {
   void solve();
 
  private:
-  double plus(size_t k, double s) const { return mu(k) * (n_[k] + s * dn_[k]) + t_[k] + s * dt_[k]; }
-  double minus(size_t k, double s) const { return mu(k) * (n_[k] + s * dn_[k]) - t_[k] - s * dt_[k]; }
+  // The cone's sides after s of the change; kept by themselves, as differences of forces they would lose their digits.
+  double plus(size_t k, double s) const { return plus_[k] + s * (mu(k) * dn_[k] + dt_[k]); }
+  double minus(size_t k, double s) const { return minus_[k] + s * (mu(k) * dn_[k] - dt_[k]); }
   double mu(size_t k) const { return desk_.row(k).friction; }
   double barrier(double step) const;
   double longest() const;
@@ -32,19 +33,21 @@ class Cone {
   Desk& desk_;
   size_t count_;
   Vector d_, out_;
-  double first_ = 0;
-  std::vector<double> n_, t_, up_, um_, dn_, dt_, dup_, dum_;  // forces; b+, b-; their changes
-  std::vector<double> gap_off_, slide_off_, nn_, nt_, tt_;
+  double first_ = 0, unsettled_ = 1;  // barrier; part of the shifts h that the last iteration has changed
+  std::vector<double> n_, t_, plus_, minus_, up_, um_, dn_, dt_, dup_, dum_;  // forces; p±; b±; changes
+  std::vector<double> gap_off_, slide_off_, nn_, nt_, tt_, shift_;
 };
 
 Cone::Cone(Desk& desk) : desk_(desk), count_(desk.count()) {
   const double force = desk.usual_force(), length = desk.usual_length();
   first_ = force * length;
   d_.setZero(desk.problem.system.force.size());
-  for (auto* list : {&t_, &dn_, &dt_, &dup_, &dum_, &gap_off_, &slide_off_, &nn_, &nt_, &tt_}) list->assign(count_, 0);
+  for (auto* list : {&t_, &dn_, &dt_, &dup_, &dum_, &gap_off_, &slide_off_, &nn_, &nt_, &tt_, &shift_}) list->assign(count_, 0);
   n_.assign(count_, force);
   for (size_t k = 0; k < count_; ++k) up_.push_back(std::max(desk.row(k).gap0, length) / mu(k));
   um_ = up_;
+  for (size_t k = 0; k < count_; ++k) plus_.push_back(mu(k) * n_[k]);
+  minus_ = plus_;
 }
 
 double Cone::barrier(double s) const {
@@ -70,10 +73,13 @@ double Cone::longest() const {
 bool Cone::linearise() {
   std::vector<double> gap, slide;
   desk_.places(d_, gap, slide);
+  double changed = 0, all = 0;
   for (size_t k = 0; k < count_; ++k) {
     const ContactRows& row = desk_.row(k);
     const double slipped = slide[k] - t_[k] / row.ks, m = mu(k);
-    gap_off_[k] = gap[k] + n_[k] / row.kn + m * std::abs(slipped) - m * (up_[k] + um_[k]);
+    changed += std::abs(m * std::abs(slipped) - shift_[k]);
+    all += shift_[k] = m * std::abs(slipped);
+    gap_off_[k] = gap[k] + n_[k] / row.kn + shift_[k] - m * (up_[k] + um_[k]);
     slide_off_[k] = slipped + up_[k] - um_[k];
     const double p = up_[k] / plus(k, 0), q = um_[k] / minus(k, 0);
     const double a = 1 / row.kn + m * m * (p + q), b = m * (q - p), c = 1 / row.ks + p + q;
@@ -82,6 +88,7 @@ bool Cone::linearise() {
     tt_[k] = a / det;
     nt_[k] = -b / det;
   }
+  unsettled_ = all > 0 ? changed / all : 0;
   out_ = desk_.out_of_balance(d_, n_, t_);
   return desk_.factorise(nn_, tt_, &nt_);
 }
@@ -124,15 +131,16 @@ void Cone::solve() {
     last = std::min(1.0, to_border * longest());
     d_ += last * p;
     for (size_t k = 0; k < count_; ++k) {
+      plus_[k] = plus(k, last);
+      minus_[k] = minus(k, last);
       n_[k] += last * dn_[k];
       t_[k] += last * dt_[k];
       up_[k] += last * dup_[k];
       um_[k] += last * dum_[k];
     }
   }
-  char note[80];
-  const double left = barrier(0) / first_;
-  std::snprintf(note, sizeof note, left > 0 ? "last step %.1g, barrier %.1g of the first" : "breaks down", last, left);
+  char note[120];
+  std::snprintf(note, sizeof note, "barrier %.0g of the first, last step %.1g, last change of h %.0g", barrier(0) / first_, last, unsettled_);
   desk_.outcome.note = note;
 }
 

@@ -20,6 +20,7 @@ constexpr double apart = 1e-2;        // warm start: part of the scales by which
 struct Interior {
   Vector d;
   std::vector<double> n, w, t, a, b;       // N, m, N, m, m
+  std::vector<double> over, under;         // N, L - T and L + T, which as differences would lose their digits
   std::vector<double> dn, dw, dt, da, db;  // changes of the predictor, then of the step
 };
 
@@ -47,7 +48,7 @@ class Frozen {
 
 void Frozen::start(bool warm, Interior& x) const {
   if (!warm) x.d.setZero(desk_.problem.system.force.size());
-  for (auto* list : {&x.n, &x.w, &x.t, &x.a, &x.b, &x.dn, &x.dw, &x.dt, &x.da, &x.db})
+  for (auto* list : {&x.n, &x.w, &x.t, &x.a, &x.b, &x.over, &x.under, &x.dn, &x.dw, &x.dt, &x.da, &x.db})
     if (!warm || list->size() != count_) list->assign(count_, 0);
   std::vector<double> gap, slide;
   desk_.places(x.d, gap, slide);
@@ -55,6 +56,8 @@ void Frozen::start(bool warm, Interior& x) const {
     x.n[k] = warm ? std::max(x.n[k], apart * force_) : force_;
     x.w[k] = std::max(gap[k] + x.n[k] / desk_.row(k).kn, warm ? apart * length_ : length_);
     x.t[k] = warm ? std::clamp(x.t[k], -(1 - apart) * limit_[k], (1 - apart) * limit_[k]) : 0;
+    x.over[k] = limit_[k] - x.t[k];
+    x.under[k] = limit_[k] + x.t[k];
     x.a[k] = warm ? std::max(x.a[k], apart * length_) : length_;
     x.b[k] = warm ? std::max(x.b[k], apart * length_) : length_;
   }
@@ -65,7 +68,7 @@ double Frozen::barrier(const Interior& x, double s) const {
   double sum = 0;
   for (size_t k = 0; k < count_; ++k)
     sum += (x.n[k] + s * x.dn[k]) * (x.w[k] + s * x.dw[k]) +
-           (limit_[k] - x.t[k] - s * x.dt[k]) * (x.a[k] + s * x.da[k]) + (limit_[k] + x.t[k] + s * x.dt[k]) * (x.b[k] + s * x.db[k]);
+           (x.over[k] - s * x.dt[k]) * (x.a[k] + s * x.da[k]) + (x.under[k] + s * x.dt[k]) * (x.b[k] + s * x.db[k]);
   return sum / double(3 * count_);
 }
 
@@ -78,7 +81,7 @@ void Frozen::linearise(const Interior& x) {
     gap_off_[k] = gap[k] + x.n[k] / row.kn - x.w[k];
     slide_off_[k] = slide[k] - x.t[k] / row.ks - (x.a[k] - x.b[k]);
     kn_[k] = x.n[k] / (x.w[k] + x.n[k] / row.kn);
-    kt_[k] = 1 / (1 / row.ks + x.a[k] / (limit_[k] - x.t[k]) + x.b[k] / (limit_[k] + x.t[k]));
+    kt_[k] = 1 / (1 / row.ks + x.a[k] / x.over[k] + x.b[k] / x.under[k]);
   }
   out_ = desk_.out_of_balance(x.d, x.n, x.t);
 }
@@ -90,10 +93,10 @@ void Frozen::direction(double m, bool corrected, Interior& x, Vector& p) {
   for (size_t k = 0; k < count_; ++k) {
     const ContactRows& row = desk_.row(k);
     ew[k] = m - x.n[k] * x.w[k] - second * x.dn[k] * x.dw[k];
-    ea[k] = m - (limit_[k] - x.t[k]) * x.a[k] + second * x.dt[k] * x.da[k];
-    eb[k] = m - (limit_[k] + x.t[k]) * x.b[k] - second * x.dt[k] * x.db[k];
+    ea[k] = m - x.over[k] * x.a[k] + second * x.dt[k] * x.da[k];
+    eb[k] = m - x.under[k] * x.b[k] - second * x.dt[k] * x.db[k];
     cn[k] = (ew[k] - x.n[k] * gap_off_[k]) / (x.w[k] + x.n[k] / row.kn);
-    ct[k] = kt_[k] * (slide_off_[k] - ea[k] / (limit_[k] - x.t[k]) + eb[k] / (limit_[k] + x.t[k]));
+    ct[k] = kt_[k] * (slide_off_[k] - ea[k] / x.over[k] + eb[k] / x.under[k]);
     row.add(row.normal_i, row.normal_j, cn[k], rhs);
     row.add(row.shear_i, row.shear_j, -ct[k], rhs);
   }
@@ -104,8 +107,8 @@ void Frozen::direction(double m, bool corrected, Interior& x, Vector& p) {
     x.dn[k] = cn[k] - kn_[k] * gap[k];
     x.dw[k] = gap[k] + x.dn[k] / desk_.row(k).kn + gap_off_[k];
     x.dt[k] = ct[k] + kt_[k] * slide[k];
-    x.da[k] = (ea[k] + x.a[k] * x.dt[k]) / (limit_[k] - x.t[k]);
-    x.db[k] = (eb[k] - x.b[k] * x.dt[k]) / (limit_[k] + x.t[k]);
+    x.da[k] = (ea[k] + x.a[k] * x.dt[k]) / x.over[k];
+    x.db[k] = (eb[k] - x.b[k] * x.dt[k]) / x.under[k];
   }
 }
 
@@ -119,8 +122,8 @@ double Frozen::longest(const Interior& x) const {
     within(x.w[k], x.dw[k]);
     within(x.a[k], x.da[k]);
     within(x.b[k], x.db[k]);
-    within(limit_[k] - x.t[k], -x.dt[k]);
-    within(limit_[k] + x.t[k], x.dt[k]);
+    within(x.over[k], -x.dt[k]);
+    within(x.under[k], x.dt[k]);
   }
   return step;
 }
@@ -144,6 +147,8 @@ int Frozen::solve(Interior& x) {
       x.n[k] += step * x.dn[k];
       x.w[k] += step * x.dw[k];
       x.t[k] += step * x.dt[k];
+      x.over[k] -= step * x.dt[k];
+      x.under[k] += step * x.dt[k];
       x.a[k] += step * x.da[k];
       x.b[k] += step * x.db[k];
     }

@@ -1,6 +1,6 @@
-// Compares ways to solve a step's contacts on the same problems: study <folder of problems.txt> [name…]. Each problem is a scene, run
-// by the engine to its last step (time.max_steps), whose contact problem every candidate then gets. Writes the table of
-// docs/contact_study.md to standard output; scripts/contact_study runs it.
+// Compares ways to solve a step's contacts on the same problems. Each problem is a scene, run by the engine to its last step
+// (time.max_steps), whose contact problem every candidate then gets. Writes the tables of docs/contact_study.md to standard
+// output; scripts/contact_study runs it. --check: the shipped way alone, as a test.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,12 +19,15 @@ namespace talus::study {
 
 namespace {
 
+constexpr int most_checked = 12;  // factorisations, with --check
 constexpr double alike = 1e-5;  // part of the change of energy
 
 struct Entry {
   std::string name, scene;
   std::vector<std::pair<std::string, std::string>> parameters;
 };
+
+using Tallies = std::map<std::string, struct Tally>;
 
 struct Tally {
   int converged = 0, tried = 0;
@@ -85,7 +88,7 @@ void print_row(const Problem& problem, const Named& candidate, const Outcome& ou
 }
 
 // own: the residual at which the engine took the step, or 0 where it had to cut it.
-void compare(Problem& problem, double own, std::map<std::string, Tally>& tallies) {
+void compare(Problem& problem, double own, Tallies& tallies) {
   if (Desk(problem).count() == 0) throw std::runtime_error(problem.name + ": nothing touches in this step");
   problem.bare = bare_cost(problem);
   std::vector<Outcome> outcomes;
@@ -124,8 +127,20 @@ void compare(Problem& problem, double own, std::map<std::string, Tally>& tallies
   }
 }
 
-// Runs the scene with the engine and compares on the problem of its last step.
-bool study(const std::string& folder, const Entry& entry, std::map<std::string, Tally>& tallies) {
+// The shipped way alone, as a test.
+void check(Problem& problem, double, Tallies& tallies) {
+  Desk desk(problem);
+  shipped(desk);
+  const bool good = desk.done() && desk.outcome.factorisations <= most_checked;
+  std::printf("%s  %s: residual %.1e after %d factorisations and %d sweeps\n", good ? "PASS" : "FAIL", problem.name.c_str(),
+              desk.outcome.residual, desk.outcome.factorisations, desk.outcome.sweeps);
+  Tally& tally = tallies[candidates().back().name];
+  ++tally.tried;
+  tally.converged += good;
+}
+
+// Runs the scene with the engine; `use` gets the problem of its last step.
+bool study(const std::string& folder, const Entry& entry, decltype(&compare) use, Tallies& tallies) {
   Problem problem;
   bool found = false;
   SessionOptions options;
@@ -143,7 +158,7 @@ bool study(const std::string& folder, const Entry& entry, std::map<std::string, 
     simulation.on_step.emplace_back([&](Simulation& now) {
       if (now.totals.steps != now.model.scene.time.max_steps) return;
       found = true;
-      compare(problem, now.last.cuts == 0 ? now.last.residual : 0, tallies);
+      use(problem, now.last.cuts == 0 ? now.last.residual : 0, tallies);
       problem = {};  // laws of the script go before it
     });
   };
@@ -153,7 +168,7 @@ bool study(const std::string& folder, const Entry& entry, std::map<std::string, 
   return status == 0 && found;
 }
 
-void summary(std::map<std::string, Tally>& tallies) {
+void summary(Tallies& tallies) {
   std::printf("\n## Summary\n\n| candidate | solved | median cost | worst cost | worst residual left |\n|---|---|---|---|---|\n");
   for (const Named& candidate : candidates()) {
     Tally& tally = tallies[candidate.name];
@@ -179,13 +194,19 @@ void summary(std::map<std::string, Tally>& tallies) {
 
 int main(int argc, char** argv) {
   using namespace talus::study;
-  if (argc < 2) return std::fprintf(stderr, "study <folder of problems.txt> [name…]\n"), 2;
-  std::map<std::string, Tally> tallies;
-  bool good = true;
-  for (const Entry& entry : read_list(argv[1])) {
-    if (argc > 2 && std::find(argv + 2, argv + argc, entry.name) == argv + argc) continue;
-    good = study(argv[1], entry, tallies) && good;
+  std::vector<std::string> names(argv + 1, argv + argc);
+  const bool checks = !names.empty() && names.front() == "--check";
+  if (checks) names.erase(names.begin());
+  if (names.empty()) return std::fprintf(stderr, "contact_study [--check] <folder of problems.txt> [name…]\n"), 2;
+  Tallies tallies;
+  int lost = 0;
+  for (const Entry& entry : read_list(names.front())) {
+    if (names.size() > 1 && std::find(names.begin() + 1, names.end(), entry.name) == names.end()) continue;
+    if (!study(names.front(), entry, checks ? check : compare, tallies)) ++lost;
   }
-  summary(tallies);
-  return good ? 0 : 1;
+  if (!checks) return summary(tallies), lost > 0;
+  const Tally& tally = tallies[candidates().back().name];
+  const int failed = tally.tried - tally.converged + lost;
+  std::printf("%d passed, %d failed\n", tally.converged, failed);
+  return failed > 0;
 }
