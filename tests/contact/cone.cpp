@@ -1,6 +1,6 @@
-// Primal-dual interior point on Coulomb's cone itself. Friction is not associated: sliding would lift the contact by tan φ times its
-// speed. De Saxcé & Feng (1998): adding h = tan φ |sliding| to the gap makes it so; h is taken from the iteration before.
-// Per contact, with the cone's two sides p± = tan φ N ± T >= 0 and their duals b± >= 0:
+// Primal-dual interior point on Coulomb's cone itself. Friction is not associated: sliding would lift the contact
+// by tan φ times its speed. De Saxcé & Feng (1998): adding h = tan φ |sliding| to the gap makes it so; h is taken
+// from the iteration before. Per contact, with the cone's two sides p± = tan φ N ± T >= 0 and their duals b± >= 0:
 //   gap + N/kn + h = tan φ (b+ + b-),   slide - T/ks = b- - b+,   p± b± = m.
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,8 @@ class Cone {
   void solve();
 
  private:
-  // The cone's sides after s of the change; kept by themselves, as differences of forces they would lose their digits.
+  // The cone's sides after s of the change; kept by themselves, as differences of forces they would lose their
+  // digits.
   double plus(size_t k, double s) const { return plus_[k] + s * (mu(k) * dn_[k] + dt_[k]); }
   double minus(size_t k, double s) const { return minus_[k] + s * (mu(k) * dn_[k] - dt_[k]); }
   double mu(size_t k) const { return desk_.row(k).friction; }
@@ -42,7 +43,8 @@ Cone::Cone(Desk& desk) : desk_(desk), count_(desk.count()) {
   const double force = desk.usual_force(), length = desk.usual_length();
   first_ = force * length;
   d_.setZero(desk.problem.system.force.size());
-  for (auto* list : {&t_, &dn_, &dt_, &dup_, &dum_, &gap_off_, &slide_off_, &nn_, &nt_, &tt_, &shift_}) list->assign(count_, 0);
+  for (auto* list : {&t_, &dn_, &dt_, &dup_, &dum_, &gap_off_, &slide_off_, &nn_, &nt_, &tt_, &shift_})
+    list->assign(count_, 0);
   n_.assign(count_, force);
   for (size_t k = 0; k < count_; ++k) up_.push_back(std::max(desk.row(k).gap0, length) / mu(k));
   um_ = up_;
@@ -52,7 +54,8 @@ Cone::Cone(Desk& desk) : desk_(desk), count_(desk.count()) {
 
 double Cone::barrier(double s) const {
   double sum = 0;
-  for (size_t k = 0; k < count_; ++k) sum += plus(k, s) * (up_[k] + s * dup_[k]) + minus(k, s) * (um_[k] + s * dum_[k]);
+  for (size_t k = 0; k < count_; ++k)
+    sum += plus(k, s) * (up_[k] + s * dup_[k]) + minus(k, s) * (um_[k] + s * dum_[k]);
   return sum / double(2 * count_);
 }
 
@@ -140,7 +143,8 @@ void Cone::solve() {
     }
   }
   char note[120];
-  std::snprintf(note, sizeof note, "barrier %.0g of the first, last step %.1g, last change of h %.0g", barrier(0) / first_, last, unsettled_);
+  std::snprintf(note, sizeof note, "barrier %.0g of the first, last step %.1g, last change of h %.0g",
+                barrier(0) / first_, last, unsettled_);
   desk_.outcome.note = note;
 }
 

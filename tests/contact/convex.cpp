@@ -1,5 +1,5 @@
-// Newton's method on the convex potential of springs and of friction at frozen limits, with exact line search; the limits
-// follow the normal forces after every iteration, one that swings half as far each time.
+// Newton's method on the convex potential of springs and of friction at frozen limits, with exact line search; the
+// limits follow the normal forces after every iteration, one that swings half as far each time.
 #include <algorithm>
 #include <cmath>
 

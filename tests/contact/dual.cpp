@@ -1,6 +1,7 @@
-// Newton's method in forces: the dual of the problem at frozen friction limits is a quadratic function of the contact forces within
-// bounds (N >= 0, |T| <= limit). The free forces go by Newton's step, which is one solve with their springs in the matrix, and are
-// projected back on the bounds, halved until the function has fallen (Bertsekas 1982). Limits follow after every iteration.
+// Newton's method in forces: the dual of the problem at frozen friction limits is a quadratic function of the
+// contact forces within bounds (N >= 0, |T| <= limit). The free forces go by Newton's step, which is one solve
+// with their springs in the matrix, and are projected back on the bounds, halved until the function has fallen
+// (Bertsekas 1982). Limits follow after every iteration.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,7 +13,8 @@ namespace talus::study {
 namespace {
 
 constexpr double least_part = 1e-4;
-constexpr double bound_part = 1e-6;  // of the largest normal force: what is so near its bound and wants to cross it is held
+constexpr double bound_part =
+    1e-6;  // of the largest normal force: what is so near its bound and wants to cross it is held
 
 struct Step {
   std::vector<double> normal, shear;  // N, forces that Newton's step asks for
@@ -28,7 +30,8 @@ Step newton(Desk& desk, const Forces& forces, const std::vector<double>& limit, 
     const ContactRows& row = desk.row(k);
     const double trial = row.ks * forces.slide(k);
     if (forces.normal[k] > near_bound || forces.gap(k) + forces.normal[k] / row.kn < 0) kn[k] = row.kn;
-    const bool inside = std::abs(forces.shear[k]) < limit[k] * (1 - 1e-12), returns = trial * forces.shear[k] < limit[k] * std::abs(forces.shear[k]);
+    const bool inside = std::abs(forces.shear[k]) < limit[k] * (1 - 1e-12),
+               returns = trial * forces.shear[k] < limit[k] * std::abs(forces.shear[k]);
     if (limit[k] > 0 && (inside || returns)) ks[k] = row.ks;
     step.normal[k] = kn[k] > 0 ? -row.kn * row.gap0 : forces.normal[k];
     step.shear[k] = ks[k] > 0 ? row.ks * row.slide0 : forces.shear[k];

@@ -1,6 +1,6 @@
-// The classical open-close iteration (Shi 1988): every contact has a state, all forces follow from it linearly, one full
-// solve, then every contact whose state does not fit what came out is flipped. Springs of closed contacts may pull in the
-// solve; friction of slipping ones is the force by the normal force of the iteration before.
+// The classical open-close iteration (Shi 1988): every contact has a state, all forces follow from it linearly,
+// one full solve, then every contact whose state does not fit what came out is flipped. Springs of closed contacts
+// may pull in the solve; friction of slipping ones is the force by the normal force of the iteration before.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -83,8 +83,8 @@ void flips(Desk& desk) {
     const int flipped = flip(desk, gap, slide, s);
     if ((flipped == 0 || desk.done()) && !settled) {
       settled = true;
-      std::snprintf(note, sizeof note, "states settle after %d: residual %.1e, ΔE %.6e", desk.outcome.factorisations, residual,
-                    desk.problem.energy(d) - desk.problem.energy());
+      std::snprintf(note, sizeof note, "states settle after %d: residual %.1e, ΔE %.6e",
+                    desk.outcome.factorisations, residual, desk.problem.energy(d) - desk.problem.energy());
       if (desk.outcome.factorisations <= usual) desk.outcome.accepted = residual;
     }
     if (desk.outcome.factorisations == usual && !settled)

@@ -14,9 +14,10 @@ DofColumn padded(const Row& row, int size) {
   return column;
 }
 
-// Normal and shear force of one contact with gap = gap0 + nn N - ns T, slide = slide0 + ns N - ss T, its own compliance in nn
-// and ss, so that pressed means gap = 0 and sticking slide = 0.
-std::pair<double, double> law(double gap0, double slide0, double nn, double ns, double ss, double friction, double cohesion) {
+// Normal and shear force of one contact with gap = gap0 + nn N - ns T, slide = slide0 + ns N - ss T, its own
+// compliance in nn and ss, so that pressed means gap = 0 and sticking slide = 0.
+std::pair<double, double> law(double gap0, double slide0, double nn, double ns, double ss, double friction,
+                              double cohesion) {
   const double det = nn * ss - ns * ns, n = (slide0 * ns - gap0 * ss) / det, t = (nn * slide0 - ns * gap0) / det;
   if (n > 0 && std::abs(t) <= friction * n + cohesion) return {n, t};
   if (gap0 >= 0 && n <= 0) return {0, 0};
@@ -48,8 +49,19 @@ Forces::Forces(const Desk& desk) : desk_(desk) {
   }
   for (size_t k = 0; k < desk.count(); ++k) {
     const ContactRows& row = desk.row(k);
-    Link l{desk.contact(k).i, desk.contact(k).j, padded(row.normal_i, row.size_i), padded(row.normal_j, row.size_j),
-           padded(row.shear_i, row.size_i), padded(row.shear_j, row.size_j), {}, {}, {}, {}, 0, 0, 0};
+    Link l{desk.contact(k).i,
+           desk.contact(k).j,
+           padded(row.normal_i, row.size_i),
+           padded(row.normal_j, row.size_j),
+           padded(row.shear_i, row.size_i),
+           padded(row.shear_j, row.size_j),
+           {},
+           {},
+           {},
+           {},
+           0,
+           0,
+           0};
     l.moved_ni = inverse_[l.i] * l.ni;
     l.moved_nj = inverse_[l.j] * l.nj;
     l.moved_si = inverse_[l.i] * l.si;
@@ -76,7 +88,8 @@ void Forces::rebuild() {
 Vector Forces::motion() const {
   Vector d(desk_.problem.system.force.size());
   const auto& shapes = desk_.problem.model.shapes;
-  for (size_t b = 0; b < shapes.size(); ++b) d.segment(shapes[b].dof_begin, shapes[b].dofs) = motion_[b].head(shapes[b].dofs);
+  for (size_t b = 0; b < shapes.size(); ++b)
+    d.segment(shapes[b].dof_begin, shapes[b].dofs) = motion_[b].head(shapes[b].dofs);
   return d;
 }
 
@@ -97,7 +110,9 @@ double Forces::value() const {
     const ContactRows& row = desk_.row(k);
     sum[links_[k].i] += normal[k] * links_[k].ni - shear[k] * links_[k].si;
     sum[links_[k].j] += normal[k] * links_[k].nj - shear[k] * links_[k].sj;
-    value += (normal[k] * (row.gap0 + normal[k] / (2 * row.kn)) + shear[k] * (shear[k] / (2 * row.ks) - row.slide0)) / desk_.factor();
+    value +=
+        (normal[k] * (row.gap0 + normal[k] / (2 * row.kn)) + shear[k] * (shear[k] / (2 * row.ks) - row.slide0)) /
+        desk_.factor();
   }
   for (size_t b = 0; b < sum.size(); ++b) value += sum[b].dot(inverse_[b] * sum[b]) / 2;
   return value;
@@ -108,8 +123,9 @@ void Forces::settle(size_t k) {
   const ContactRows& row = desk_.row(k);
   const double gap_now = gap(k);
   if (normal[k] == 0 && gap_now >= 0) return;
-  const auto [n, t] = law(gap_now - l.nn * normal[k] + l.ns * shear[k], slide(k) - l.ns * normal[k] + l.ss * shear[k],
-                          l.nn + 1 / row.kn, l.ns, l.ss + 1 / row.ks, row.friction, row.cohesion);
+  const auto [n, t] =
+      law(gap_now - l.nn * normal[k] + l.ns * shear[k], slide(k) - l.ns * normal[k] + l.ss * shear[k],
+          l.nn + 1 / row.kn, l.ns, l.ss + 1 / row.ks, row.friction, row.cohesion);
   const double dn = n - normal[k], dt = t - shear[k];
   motion_[l.i] += dn * l.moved_ni - dt * l.moved_si;
   motion_[l.j] += dn * l.moved_nj - dt * l.moved_sj;

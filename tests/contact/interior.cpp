@@ -1,5 +1,5 @@
-// Primal-dual interior point (Mehrotra 1992) on the convex problem at frozen friction limits L, with the limits renewed outside from
-// the normal forces found. Per contact, to a barrier m that goes to nothing:
+// Primal-dual interior point (Mehrotra 1992) on the convex problem at frozen friction limits L, with the limits
+// renewed outside from the normal forces found. Per contact, to a barrier m that goes to nothing:
 //   w = gap + N/kn,  N w = m;    A - B = slide - T/ks,  (L - T) A = m,  (L + T) B = m.
 #include <algorithm>
 #include <cmath>
@@ -67,8 +67,8 @@ void Frozen::start(bool warm, Interior& x) const {
 double Frozen::barrier(const Interior& x, double s) const {
   double sum = 0;
   for (size_t k = 0; k < count_; ++k)
-    sum += (x.n[k] + s * x.dn[k]) * (x.w[k] + s * x.dw[k]) +
-           (x.over[k] - s * x.dt[k]) * (x.a[k] + s * x.da[k]) + (x.under[k] + s * x.dt[k]) * (x.b[k] + s * x.db[k]);
+    sum += (x.n[k] + s * x.dn[k]) * (x.w[k] + s * x.dw[k]) + (x.over[k] - s * x.dt[k]) * (x.a[k] + s * x.da[k]) +
+           (x.under[k] + s * x.dt[k]) * (x.b[k] + s * x.db[k]);
   return sum / double(3 * count_);
 }
 
@@ -159,7 +159,8 @@ int Frozen::solve(Interior& x) {
 void interior(Desk& desk, bool warm) {
   const double force = desk.usual_force(), length = desk.usual_length();
   std::vector<double> limit, pace(desk.count(), 1), last(desk.count(), 0);
-  for (size_t k = 0; k < desk.count(); ++k) limit.push_back(Desk::limit(desk.row(k), desk.contact(k).normal_force));
+  for (size_t k = 0; k < desk.count(); ++k)
+    limit.push_back(Desk::limit(desk.row(k), desk.contact(k).normal_force));
   Interior x;
   std::string inner;
   for (int outer = 0; !desk.done() && !desk.spent(); ++outer) {
@@ -180,7 +181,11 @@ void interior(Desk& desk, bool warm) {
 
 }  // namespace
 
-void interior_point(Desk& desk) { interior(desk, false); }
-void interior_point_warm(Desk& desk) { interior(desk, true); }
+void interior_point(Desk& desk) {
+  interior(desk, false);
+}
+void interior_point_warm(Desk& desk) {
+  interior(desk, true);
+}
 
 }  // namespace talus::study

@@ -10,9 +10,11 @@ namespace talus::study {
 
 namespace {
 
-// Of blocks, places and speeds; contacts are added by the caller. Scenes of the study have no bonds and no supports.
+// Of blocks, places and speeds; contacts are added by the caller. Scenes of the study have no bonds and no
+// supports.
 double energy_of(const Model& model, double ahead) {
-  double sum = kinetic_energy(model, ahead) + strain_energy(model, {}, {}, ahead) + gravity_energy_ahead(model, ahead);
+  double sum =
+      kinetic_energy(model, ahead) + strain_energy(model, {}, {}, ahead) + gravity_energy_ahead(model, ahead);
   for (size_t b = 0; b < model.blocks.size(); ++b)
     if (model.shapes[b].dofs > 0) sum -= model.mass(int(b)) * model.scene.gravity.dot(model.blocks[b].shift);
   return sum;
@@ -20,7 +22,9 @@ double energy_of(const Model& model, double ahead) {
 
 }  // namespace
 
-double Problem::energy() const { return energy_of(model, scheme.bond_ahead) + contact_energy(model); }
+double Problem::energy() const {
+  return energy_of(model, scheme.bond_ahead) + contact_energy(model);
+}
 
 double Problem::energy(const Vector& d) const {
   Model after = model;
@@ -62,7 +66,8 @@ Vector Desk::product(const Vector& x) const {
   return y;
 }
 
-Vector Desk::out_of_balance(const Vector& d, const std::vector<double>& normal, const std::vector<double>& shear) const {
+Vector Desk::out_of_balance(const Vector& d, const std::vector<double>& normal,
+                            const std::vector<double>& shear) const {
   Vector r = problem.system.force - product(d);
   for (size_t k = 0; k < count(); ++k) {
     if (normal[k] != 0) row(k).add(row(k).normal_i, row(k).normal_j, normal[k], r);
@@ -115,7 +120,8 @@ void Desk::add(size_t k, double weight, const Row& i, const Row& j) {
   matrix_.add_outer(slots.ij, w, i_is_row ? i.data() : j.data(), i_is_row ? j.data() : i.data());
 }
 
-bool Desk::factorise(const std::vector<double>& normal, const std::vector<double>& shear, const std::vector<double>* cross) {
+bool Desk::factorise(const std::vector<double>& normal, const std::vector<double>& shear,
+                     const std::vector<double>* cross) {
   matrix_.values = problem.system.matrix.values;
   for (size_t k = 0; k < count(); ++k) {
     const ContactRows& r = row(k);

@@ -1,6 +1,6 @@
 #pragma once
-// A contact problem as a step of the engine has it, and the desk at which a candidate works on it: the law at any d,
-// matrices with springs of any weight, the judge, and the count of what has been spent.
+// A contact problem as a step of the engine has it, and the desk at which a candidate works on it: the law at any
+// d, matrices with springs of any weight, the judge, and the count of what has been spent.
 #include <limits>
 #include <string>
 #include <vector>
@@ -19,8 +19,8 @@ struct Problem {
   ContactTerms contacts;
   double bare = 0;  // s, one factorisation and solve with all springs in the matrix
 
-  // Kinetic, strain, contact and gravity energy (J per metre): at the start, and after the step by d. Those of the places at
-  // which forces act (theory, § 9), contacts with the springs of the law at d.
+  // Kinetic, strain, contact and gravity energy (J per metre): at the start, and after the step by d. Those of the
+  // places at which forces act (theory, § 9), contacts with the springs of the law at d.
   double energy() const;
   double energy(const Vector& d) const;
 };
@@ -34,8 +34,9 @@ struct Outcome {
   double residual = std::numeric_limits<double>::infinity();  // of the coupled law, the least that was judged
   int factorisations = 0, sweeps = 0;
   double seconds = 0;  // CPU
-  Vector d;  // that of the residual
-  double accepted = -1;  // classical flips: the residual that their own rule accepts, or -1 where it takes a shorter step
+  Vector d;            // that of the residual
+  double accepted =
+      -1;  // classical flips: the residual that their own rule accepts, or -1 where it takes a shorter step
   std::string note;
 };
 
@@ -51,12 +52,15 @@ class Desk {
   const ContactRows& row(size_t k) const { return problem.contacts.rows()[near_[k]]; }
   const Contact& contact(size_t k) const { return problem.model.contacts[near_[k]]; }
   double factor() const { return problem.contacts.factor(); }
-  static double limit(const ContactRows& row, double normal) { return normal > 0 ? row.friction * normal + row.cohesion : 0; }
+  static double limit(const ContactRows& row, double normal) {
+    return normal > 0 ? row.friction * normal + row.cohesion : 0;
+  }
 
   // Gap and stretch of every contact at d; with `rate`, their change along it.
   void places(const Vector& d, std::vector<double>& gap, std::vector<double>& slide, bool rate = false) const;
   // f - K d + Σ N n - T s
-  Vector out_of_balance(const Vector& d, const std::vector<double>& normal, const std::vector<double>& shear) const;
+  Vector out_of_balance(const Vector& d, const std::vector<double>& normal,
+                        const std::vector<double>& shear) const;
   Vector product(const Vector& x) const;  // K x, without contacts
   // What is usual here, for interiors to start from: N, m.
   double usual_force() const;
@@ -66,8 +70,10 @@ class Desk {
   bool done() const { return outcome.converged; }
   bool spent() const { return outcome.factorisations >= most_factorisations || outcome.sweeps >= most_sweeps; }
 
-  // Factors K + θ Σ (normal n nᵀ + shear s sᵀ + cross (n sᵀ + s nᵀ)), weights in N/m. False where it is not positive.
-  bool factorise(const std::vector<double>& normal, const std::vector<double>& shear, const std::vector<double>* cross = nullptr);
+  // Factors K + θ Σ (normal n nᵀ + shear s sᵀ + cross (n sᵀ + s nᵀ)), weights in N/m. False where it is not
+  // positive.
+  bool factorise(const std::vector<double>& normal, const std::vector<double>& shear,
+                 const std::vector<double>* cross = nullptr);
   void refactorise() { solver_.factor(matrix_); }  // the same once more, not counted
   void solve(const Vector& b, Vector& x) { solver_.solve(b, x); }
 
@@ -92,12 +98,12 @@ struct Named {
 };
 const std::vector<Named>& candidates();
 
-void flips(Desk& desk);                 // Shi 1988
+void flips(Desk& desk);  // Shi 1988
 void convex_newton(Desk& desk);
-void interior_point(Desk& desk);        // friction limits outside, each from a cold start
-void interior_point_warm(Desk& desk);   // … from the last solution
-void cone_interior_point(Desk& desk);   // De Saxcé & Feng 1998
-void dual_newton(Desk& desk);           // projected, Bertsekas 1982
+void interior_point(Desk& desk);       // friction limits outside, each from a cold start
+void interior_point_warm(Desk& desk);  // … from the last solution
+void cone_interior_point(Desk& desk);  // De Saxcé & Feng 1998
+void dual_newton(Desk& desk);          // projected, Bertsekas 1982
 void plain_sweeps(Desk& desk);
 void nesterov_sweeps(Desk& desk);
 void anderson_sweeps(Desk& desk);

@@ -1,6 +1,7 @@
-// Compares ways to solve a step's contacts on the same problems. Each problem is a scene, run by the engine to its last step
-// (time.max_steps), whose contact problem every candidate then gets. Writes the tables of docs/contact_study.md to standard
-// output; scripts/contact_study runs it. --check: the shipped way alone, as a test.
+// Compares ways to solve a step's contacts on the same problems. Each problem is a scene, run by the engine to its
+// last step (time.max_steps), whose contact problem every candidate then gets. Writes the tables of
+// docs/contact_study.md to standard output; scripts/contact_study runs it. --check: the shipped way alone, as a
+// test.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,7 +21,7 @@ namespace talus::study {
 namespace {
 
 constexpr int most_checked = 12;  // factorisations, with --check
-constexpr double alike = 1e-5;  // part of the change of energy
+constexpr double alike = 1e-5;    // part of the change of energy
 
 struct Entry {
   std::string name, scene;
@@ -80,8 +81,8 @@ int closed_contacts(const Problem& problem, const Vector& d) {
 }
 
 void print_row(const Problem& problem, const Named& candidate, const Outcome& outcome) {
-  std::printf("| %s | %s | %.1e | %d | %d | %.1f | ", candidate.name, outcome.converged ? "yes" : "no", outcome.residual,
-              outcome.factorisations, outcome.sweeps, outcome.seconds / problem.bare);
+  std::printf("| %s | %s | %.1e | %d | %d | %.1f | ", candidate.name, outcome.converged ? "yes" : "no",
+              outcome.residual, outcome.factorisations, outcome.sweeps, outcome.seconds / problem.bare);
   if (outcome.converged) std::printf("%.6e", problem.energy(outcome.d) - problem.energy());
   std::printf(" | %s |\n", outcome.note.c_str());
   std::fflush(stdout);
@@ -103,9 +104,11 @@ void compare(Problem& problem, double own, Tallies& tallies) {
     throw std::logic_error(problem.name + ": this is not the problem that the engine has solved");
   const auto best = std::find_if(outcomes.rbegin(), outcomes.rend(), [](const Outcome& o) { return o.converged; });
   const int closed = best == outcomes.rend() ? 0 : closed_contacts(problem, best->d);
-  std::printf("\n## %s\n\n%zu blocks, Δt %.3g s, %zu contacts, %zu near, %d closed; E at the start %.6e J; bare %.3g ms.\n\n",
-              problem.name.c_str(), problem.model.blocks.size(), problem.scheme.dt, problem.contacts.rows().size(),
-              Desk(problem).count(), closed, problem.energy(), 1e3 * problem.bare);
+  std::printf(
+      "\n## %s\n\n%zu blocks, Δt %.3g s, %zu contacts, %zu near, %d closed; E at the start %.6e J; bare %.3g "
+      "ms.\n\n",
+      problem.name.c_str(), problem.model.blocks.size(), problem.scheme.dt, problem.contacts.rows().size(),
+      Desk(problem).count(), closed, problem.energy(), 1e3 * problem.bare);
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const Outcome& outcome : outcomes)
     if (outcome.converged) {
@@ -115,15 +118,19 @@ void compare(Problem& problem, double own, Tallies& tallies) {
     }
   if (most - least > alike * std::max(std::abs(most), std::abs(least)))
     std::printf("Converged to more than one solution, friction leaves a choice.\n\n");
-  std::printf("| candidate | converged | residual | factors | sweeps | CPU, bare | ΔE, J | |\n|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| candidate | converged | residual | factors | sweeps | CPU, bare | ΔE, J | "
+      "|\n|---|---|---|---|---|---|---|---|\n");
   for (size_t c = 0; c < outcomes.size(); ++c) {
     print_row(problem, candidates()[c], outcomes[c]);
     Tally& tally = tallies[candidates()[c].name];
     ++tally.tried;
     tally.converged += outcomes[c].converged;
     if (outcomes[c].accepted >= 0) tally.accepted.push_back(outcomes[c].accepted);
-    if (outcomes[c].converged) tally.costs.push_back(outcomes[c].seconds / problem.bare);
-    else tally.worst_residual = std::max(tally.worst_residual, outcomes[c].residual);
+    if (outcomes[c].converged)
+      tally.costs.push_back(outcomes[c].seconds / problem.bare);
+    else
+      tally.worst_residual = std::max(tally.worst_residual, outcomes[c].residual);
   }
 }
 
@@ -132,8 +139,8 @@ void check(Problem& problem, double, Tallies& tallies) {
   Desk desk(problem);
   shipped(desk);
   const bool good = desk.done() && desk.outcome.factorisations <= most_checked;
-  std::printf("%s  %s: residual %.1e after %d factorisations and %d sweeps\n", good ? "PASS" : "FAIL", problem.name.c_str(),
-              desk.outcome.residual, desk.outcome.factorisations, desk.outcome.sweeps);
+  std::printf("%s  %s: residual %.1e after %d factorisations and %d sweeps\n", good ? "PASS" : "FAIL",
+              problem.name.c_str(), desk.outcome.residual, desk.outcome.factorisations, desk.outcome.sweeps);
   Tally& tally = tallies[candidates().back().name];
   ++tally.tried;
   tally.converged += good;
@@ -149,8 +156,10 @@ bool study(const std::string& folder, const Entry& entry, decltype(&compare) use
   options.progress = false;
   options.on_run = [&](Run& run) {
     Simulation& simulation = run.simulation;
-    double tried = 0;  // the step first tried: with more candidates near where one was missed, not the shorter ones after a cut
-    simulation.stepper().on_assembled = [&, tried](const Scheme& scheme, const System& system, const ContactTerms& contacts) mutable {
+    double tried = 0;  // the step first tried: with more candidates near where one was missed, not the shorter
+                       // ones after a cut
+    simulation.stepper().on_assembled = [&, tried](const Scheme& scheme, const System& system,
+                                                   const ContactTerms& contacts) mutable {
       if (simulation.totals.steps + 1 != simulation.model.scene.time.max_steps) return;
       if (tried == 0) tried = scheme.dt;
       if (scheme.dt == tried) problem = {entry.name, simulation.model, scheme, system, contacts};
@@ -169,23 +178,33 @@ bool study(const std::string& folder, const Entry& entry, decltype(&compare) use
 }
 
 void summary(Tallies& tallies) {
-  std::printf("\n## Summary\n\n| candidate | solved | median cost | worst cost | worst residual left |\n|---|---|---|---|---|\n");
+  std::printf(
+      "\n## Summary\n\n| candidate | solved | median cost | worst cost | worst residual left "
+      "|\n|---|---|---|---|---|\n");
   for (const Named& candidate : candidates()) {
     Tally& tally = tallies[candidate.name];
     std::sort(tally.costs.begin(), tally.costs.end());
     std::printf("| %s | %d of %d | ", candidate.name, tally.converged, tally.tried);
-    if (tally.costs.empty()) std::printf("– | – | ");
-    else std::printf("%.1f | %.1f | ", tally.costs[tally.costs.size() / 2], tally.costs.back());
-    if (tally.worst_residual > 0) std::printf("%.0e |\n", tally.worst_residual);
-    else std::printf("– |\n");
+    if (tally.costs.empty())
+      std::printf("– | – | ");
+    else
+      std::printf("%.1f | %.1f | ", tally.costs[tally.costs.size() / 2], tally.costs.back());
+    if (tally.worst_residual > 0)
+      std::printf("%.0e |\n", tally.worst_residual);
+    else
+      std::printf("– |\n");
   }
   const Tally& classical = tallies[candidates().front().name];
   const auto& accepted = classical.accepted;
-  std::printf("\nBy their own rule, states that no longer flip within six iterations, the classical flips accept %zu of the %d problems",
-              accepted.size(), classical.tried);
-  if (accepted.empty()) std::printf(".\n");
-  else std::printf(", at residuals up to %.0e; the others they take again with a shorter step.\n",
-              *std::max_element(accepted.begin(), accepted.end()));
+  std::printf(
+      "\nBy their own rule, states that no longer flip within six iterations, the classical flips accept %zu of "
+      "the %d problems",
+      accepted.size(), classical.tried);
+  if (accepted.empty())
+    std::printf(".\n");
+  else
+    std::printf(", at residuals up to %.0e; the others they take again with a shorter step.\n",
+                *std::max_element(accepted.begin(), accepted.end()));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// Sweeps of nonlinear Gauss–Seidel over contacts in forces (Moreau 1988, Jean 1999), in pairs forwards and backwards: plain, and
-// with two ways of going on between the pairs, Nesterov's momentum with restarts (O'Donoghue & Candès 2015) and Anderson's mixing.
+// Sweeps of nonlinear Gauss–Seidel over contacts in forces (Moreau 1988, Jean 1999), in pairs forwards and
+// backwards: plain, and with two ways of going on between the pairs, Nesterov's momentum with restarts (O'Donoghue
+// & Candès 2015) and Anderson's mixing.
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -115,8 +116,14 @@ void sweeps(Desk& desk, GoOn go_on) {
 
 }  // namespace
 
-void plain_sweeps(Desk& desk) { sweeps(desk, Plain{}); }
-void nesterov_sweeps(Desk& desk) { sweeps(desk, Nesterov{}); }
-void anderson_sweeps(Desk& desk) { sweeps(desk, Anderson{}); }
+void plain_sweeps(Desk& desk) {
+  sweeps(desk, Plain{});
+}
+void nesterov_sweeps(Desk& desk) {
+  sweeps(desk, Nesterov{});
+}
+void anderson_sweeps(Desk& desk) {
+  sweeps(desk, Anderson{});
+}
 
 }  // namespace talus::study
