@@ -16,13 +16,9 @@ DofColumn padded(const Row& row, int size) {
   return column;
 }
 
-struct Forces {
-  double n, t;
-};
-
 // The law of one contact: gap = gap0 + nn n - ns t, slide = slide0 + ns n - ss t, stiffness included in nn and ss, so
 // pressed and sticking mean gap = 0 and slide = 0.
-Forces coulomb(double gap0, double slide0, double nn, double ns, double ss, double friction, double cohesion) {
+ContactSweeps::Forces coulomb(double gap0, double slide0, double nn, double ns, double ss, double friction, double cohesion) {
   const double det = nn * ss - ns * ns;  // > 0: a contact's own compliance is in both
   const double n = (-gap0 * ss + slide0 * ns) / det, t = (nn * slide0 - ns * gap0) / det;
   if (n > 0 && std::abs(t) <= friction * n + cohesion) return {n, t};
@@ -128,11 +124,11 @@ void ContactSweeps::settle(Link& link) {
   const double slide = link.slide0 + factor_ * (link.shear_i.dot(di) + link.shear_j.dot(dj));
   const Forces now = coulomb(gap - link.nn * link.n + link.ns * link.t, slide - link.ns * link.n + link.ss * link.t,
                              link.nn + link.soft_n, link.ns, link.ss + link.soft_s, link.friction, link.cohesion);
-  const double dn = part_ * (now.n - link.n), dt = part_ * (now.t - link.t);
+  const double dn = now.n - link.n, dt = now.t - link.t;
   di += dn * link.moved_ni - dt * link.moved_si;
   dj += dn * link.moved_nj - dt * link.moved_sj;
-  link.n += dn;
-  link.t += dt;
+  link.n = now.n;
+  link.t = now.t;
 }
 
 void ContactSweeps::sweep(bool backwards) {
@@ -142,9 +138,30 @@ void ContactSweeps::sweep(bool backwards) {
     for (Link& link : contacts_) settle(link);
 }
 
-ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, double part, std::vector<double>& normal,
+// The forces of a contact, cut to what it can carry.
+void ContactSweeps::carry_on(Link& link, double n, double t) {
+  link.n = std::max(0.0, n);
+  const double limit = link.n > 0 ? link.friction * link.n + link.cohesion : 0;
+  link.t = std::clamp(t, -limit, limit);
+}
+
+void ContactSweeps::mix(const std::vector<Forces>& from, Mixing& mixing) {
+  const Eigen::Index count = Eigen::Index(contacts_.size());
+  Vector x(2 * count), change(2 * count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    x[k] = from[size_t(k)].n;
+    x[count + k] = from[size_t(k)].t;
+    change[k] = contacts_[size_t(k)].n - x[k];
+    change[count + k] = contacts_[size_t(k)].t - x[count + k];
+  }
+  const Vector next = mixing.next(x, change);
+  for (Eigen::Index k = 0; k < count; ++k)
+    if (Link& link = contacts_[size_t(k)]; link.n > 0) carry_on(link, next[k], next[count + k]);  // what has opened stays open
+  rebuild();
+}
+
+ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, Carry carry, std::vector<double>& normal,
                                            std::vector<double>& shear, Vector& d) {
-  part_ = part;
   const auto& rows = terms_->rows();
   const int loose = int(blocks_.size());
   for (Link& link : contacts_) {
@@ -167,6 +184,7 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, d
   std::vector<Forces> from(count), last(count);  // before the present pair; after the one before it
   for (size_t k = 0; k < count; ++k) last[k] = {contacts_[k].n, contacts_[k].t};
   Progress progress;
+  Mixing mixing;
   double theta = 1, before = 0;
   double decade = 0;  // change ten pairs ago
   int since = 0;
@@ -189,8 +207,13 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, d
       if (worth > 0 && decade > 0 && !(progress.change < decade * std::pow(enough / progress.change, 10.0 / worth))) break;
       decade = progress.change;
     }
+    if (progress.pairs == most) break;
+    if (carry == Carry::mixing) {
+      mix(from, mixing);
+      continue;
+    }
     const double next = (1 + std::sqrt(1 + 4 * theta * theta)) / 2;
-    double momentum = part < 1 ? 0 : (theta - 1) / next;
+    double momentum = (theta - 1) / next;
     theta = next;
     ++since;
     if (turned > 0 || (change > before && since > least_run)) {
@@ -199,18 +222,13 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, d
       since = 0;
     }
     before = change;
-    const bool moves = momentum > 0 && progress.pairs < most;
     for (size_t k = 0; k < count; ++k) {
       Link& link = contacts_[k];
       const Forces now{link.n, link.t};
-      if (moves) {
-        link.n = std::max(0.0, now.n + momentum * (now.n - last[k].n));
-        const double limit = link.n > 0 ? link.friction * link.n + link.cohesion : 0;
-        link.t = std::clamp(now.t + momentum * (now.t - last[k].t), -limit, limit);
-      }
+      if (momentum > 0) carry_on(link, now.n + momentum * (now.n - last[k].n), now.t + momentum * (now.t - last[k].t));
       last[k] = now;
     }
-    if (moves) rebuild();
+    if (momentum > 0) rebuild();
   }
   rebuild();
   for (const Link& link : contacts_) {

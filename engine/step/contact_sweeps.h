@@ -3,13 +3,20 @@
 // no bond joins: each contact in turn gets the normal and shear force that meet its whole law, Coulomb's cone included,
 // with all other forces held. In forces a stiff contact is an easy one: only the bodies' own inertia and stiffness make
 // neighbours depend on each other, so what waves cannot cross in a step converges in a few sweeps, without a factor.
-// Accelerated (Nesterov 1983) with restart (O'Donoghue & Candès 2015).
+// Between pairs of sweeps the forces are carried on: by Nesterov's momentum (1983) with restart (O'Donoghue & Candès 2015), or by
+// Anderson's mixing, dearer and surer.
 #include "equations/contact_terms.h"
+#include "step/mixing.h"
 
 namespace talus {
 
 class ContactSweeps {
  public:
+  enum class Carry { momentum, mixing };
+  struct Forces {  // of a contact, N
+    double n, t;
+  };
+
   // Takes the loose blocks of the step and the contacts on them. O(blocks + contacts).
   void start(const Model& model, const System& system, const ContactTerms& contacts);
   bool empty() const { return contacts_.empty(); }
@@ -23,7 +30,7 @@ class ContactSweeps {
     int pairs = 0;
     double change = 0;  // of the last pair, part of the norm of all forces
   };
-  Progress run(int most, double enough, int worth, double part, std::vector<double>& normal, std::vector<double>& shear, Vector& d);
+  Progress run(int most, double enough, int worth, Carry carry, std::vector<double>& normal, std::vector<double>& shear, Vector& d);
 
  private:
   struct Link {
@@ -40,6 +47,8 @@ class ContactSweeps {
   void settle(Link& link);
   void rebuild();  // motions_ from the forces
   void sweep(bool backwards);
+  void carry_on(Link& link, double n, double t);
+  void mix(const std::vector<Forces>& from, Mixing& mixing);
 
   std::vector<Link> contacts_;
   std::vector<int> blocks_;               // ids of loose blocks
@@ -47,7 +56,7 @@ class ContactSweeps {
   std::vector<DofColumn> force_, motion_;  // of loose blocks, and a zero at the end
   const ContactTerms* terms_ = nullptr;
   const Model* model_ = nullptr;
-  double factor_ = 1, part_ = 1;
+  double factor_ = 1;
   bool whole_ = false;
 };
 

@@ -12,7 +12,8 @@ namespace {
 constexpr double factor_per_pair = 75;
 constexpr int least_worth = 10, most_worth = 200;
 constexpr int pairs_between = 100;  // after a step of Newton's, to put its states right: more where fewer would do is cheap
-constexpr double damped = 0.5;   // part of a change that sweeps take where plain ones did not get on
+constexpr int mixed_pairs = 300;  // where Newton's step has led away
+using Carry = ContactSweeps::Carry;
 constexpr int patience = 3;      // iterations that do not halve the change of the sweeps, before the step is cut
 constexpr int pairs_among_bonds = 30;
 constexpr int few = 20;       // one state in so many has changed: the coupled law is tried
@@ -44,7 +45,7 @@ void OpenClose::solve_motion(const Model& model, System& system, const ContactTe
                              OpenCloseResult& result) {
   const double blocks = double(model.shapes.size()), count = double(std::max<size_t>(contacts.rows().size(), 1));
   const int worth = std::clamp(int(factor_per_pair * blocks / count * std::sqrt(blocks / 1000)), least_worth, most_worth);
-  result.converged = sweep(model, system, contacts, 3 * worth, worth, 1, d, result) <= tolerance;
+  result.converged = sweep(model, system, contacts, 3 * worth, worth, Carry::momentum, d, result) <= tolerance;
   take_states(contacts);
   double reached = result.sweep_change;
   int in_vain = 0;
@@ -58,11 +59,11 @@ void OpenClose::solve_motion(const Model& model, System& system, const ContactTe
       if (!coupled_step(model, system, contacts, solver, tolerance, d, result)) break;
     if ((result.converged = result.residual <= tolerance)) return;
     take_forces(contacts);
-    result.converged = sweep(model, system, contacts, pairs_between * result.iterations, 0, 1, d, result) <= tolerance;
+    result.converged = sweep(model, system, contacts, pairs_between * result.iterations, 0, Carry::momentum, d, result) <= tolerance;
     if (!result.converged && !missed_ && !(result.sweep_change < reached)) {
       normal_ = normal;
       shear_ = shear;
-      result.converged = sweep(model, system, contacts, 2 * pairs_between, 0, damped, d, result) <= tolerance;
+      result.converged = sweep(model, system, contacts, mixed_pairs, 0, Carry::mixing, d, result) <= tolerance;
     }
     if (!(result.sweep_change < 0.5 * reached)) ++in_vain;
     reached = result.sweep_change;
@@ -94,7 +95,7 @@ void OpenClose::solve_bonded(const Model& model, System& system, const ContactTe
         const double limit = friction_limit(rows[k], normal_[k]);
         shear_[k] = std::clamp(rows[k].ks * slide_[k], -limit, limit);
       }
-      sweep(model, system, contacts, pairs_among_bonds, 0, 1, d, result);
+      sweep(model, system, contacts, pairs_among_bonds, 0, Carry::momentum, d, result);
       if (!(result.residual < before.residual)) {
         d = d0;
         kd_ = kd0;
@@ -139,8 +140,8 @@ void OpenClose::take_states(const ContactTerms& contacts) {
 }
 
 double OpenClose::sweep(const Model& model, const System& system, const ContactTerms& contacts, int most, int worth,
-                        double part, Vector& d, OpenCloseResult& result) {
-  const auto progress = sweeps_.run(most, sweep_tolerance, worth, part, normal_, shear_, d);
+                        ContactSweeps::Carry carry, Vector& d, OpenCloseResult& result) {
+  const auto progress = sweeps_.run(most, sweep_tolerance, worth, carry, normal_, shear_, d);
   result.sweeps += 2 * progress.pairs;
   result.sweep_change = progress.change;
   kd_.setZero(d.size());

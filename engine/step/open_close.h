@@ -41,7 +41,7 @@ class OpenClose {
   void start(const Model& model, const System& system, const ContactTerms& contacts);
   void evaluate(const ContactTerms& contacts, const Vector& d);
   void residual(const System& system, const ContactTerms& contacts, bool coupled, Vector& r) const;
-  double sweep(const Model& model, const System& system, const ContactTerms& contacts, int most, int worth, double part, Vector& d,
+  double sweep(const Model& model, const System& system, const ContactTerms& contacts, int most, int worth, ContactSweeps::Carry carry, Vector& d,
                OpenCloseResult& result);
   void take_states(const ContactTerms& contacts);
   void take_forces(const ContactTerms& contacts);
