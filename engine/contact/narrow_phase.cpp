@@ -238,7 +238,7 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
   };
   for (int e : {w, w0}) consider(i, v, j, e);
   for (int e : {v, v0}) consider(j, w, i, e);
-  std::erase_if(found, [&](const Contact& c) { return &c >= &found[first] && is_here(c); });
+  found.erase(std::remove_if(found.begin() + long(first), found.end(), is_here), found.end());
   if (choices.empty()) return;
   const auto flush = [&](const Choice& c) { return pair.slides_on(c.block_v, c.vertex, c.block_e, c.edge); };
   if (std::any_of(choices.begin(), choices.end(), flush)) {
