@@ -10,6 +10,7 @@ namespace {
 
 // Pairs of sweeps after which a restart of the momentum by growth of the change is allowed: it takes a few to build up.
 constexpr int least_run = 5;
+
 DofColumn padded(const Row& row, int size) {
   DofColumn column = DofColumn::Zero();
   for (int k = 0; k < size; ++k) column[k] = row[k];

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace talus {
 
@@ -28,20 +27,18 @@ OpenCloseResult OpenClose::solve(const Model& model, System& system, const Conta
   d.setZero(system.force.size());
   start(model, system, contacts);
   evaluate(contacts, d);
-  const std::vector<double> base = system.matrix.values;
   if (motion) sweeps_.start(model, system, contacts);
   if (motion && sweeps_.whole())
-    solve_motion(model, system, contacts, solver, base, tolerance, max_iterations, d, result);
+    solve_motion(model, system, contacts, solver, tolerance, max_iterations, d, result);
   else
-    solve_bonded(model, system, contacts, solver, base, tolerance, max_iterations, motion, d, result);
-  system.matrix.values = base;
+    solve_bonded(model, system, contacts, solver, tolerance, max_iterations, motion, d, result);
   return result;
 }
 
 // Sweeps, and where they are slow Newton's steps from their states, each followed by sweeps from its forces. Where those
 // end farther from rest than the sweeps before, Newton's step has led away: back, and more sweeps.
 void OpenClose::solve_motion(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
-                             const std::vector<double>& base, double tolerance, int max_iterations, Vector& d,
+                             double tolerance, int max_iterations, Vector& d,
                              OpenCloseResult& result) {
   const double blocks = double(model.shapes.size()), count = double(std::max<size_t>(contacts.rows().size(), 1));
   const int worth = std::clamp(int(factor_per_pair * blocks / count * std::sqrt(blocks / 1000)), least_worth, most_worth);
@@ -51,7 +48,7 @@ void OpenClose::solve_motion(const Model& model, System& system, const ContactTe
   int in_vain = 0;
   while (!result.converged && !missed_ && result.iterations < max_iterations && in_vain < patience) {
     const std::vector<double> normal = normal_, shear = shear_;
-    if (!factor(system, contacts, base, solver, result)) return;
+    if (!factor(system, contacts, solver, result)) return;
     ++result.iterations;
     predict(model, system, contacts, solver, d, result);
     const auto closed = std::count(closed_.begin(), closed_.end(), 1);
@@ -59,7 +56,8 @@ void OpenClose::solve_motion(const Model& model, System& system, const ContactTe
       if (!coupled_step(model, system, contacts, solver, tolerance, d, result)) break;
     if ((result.converged = result.residual <= tolerance)) return;
     take_forces(contacts);
-    result.converged = sweep(model, system, contacts, pairs_between * result.iterations, 0, Carry::momentum, d, result) <= tolerance;
+    const int pairs = pairs_between * result.iterations;
+    result.converged = sweep(model, system, contacts, pairs, 0, Carry::momentum, d, result) <= tolerance;
     if (!result.converged && !missed_ && !(result.sweep_change < reached)) {
       normal_ = normal;
       shear_ = shear;
@@ -76,12 +74,12 @@ void OpenClose::solve_motion(const Model& model, System& system, const ContactTe
 // the coupled law where the states have settled, else of the convex potential. In motion loose blocks are then brought
 // to rest among the others by sweeps, where that lowers the residual.
 void OpenClose::solve_bonded(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
-                             const std::vector<double>& base, double tolerance, int max_iterations, bool motion, Vector& d,
+                             double tolerance, int max_iterations, bool motion, Vector& d,
                              OpenCloseResult& result) {
   const auto& rows = contacts.rows();
   continue_states(model);
   while (!result.converged && result.iterations < max_iterations) {
-    if (!factor(system, contacts, base, solver, result)) return;
+    if (!factor(system, contacts, solver, result)) return;
     ++result.iterations;
     if (result.iterations == 1)
       predict(model, system, contacts, solver, d, result);
@@ -91,7 +89,7 @@ void OpenClose::solve_bonded(const Model& model, System& system, const ContactTe
       const OpenCloseResult before = result;
       const Vector d0 = d, kd0 = kd_;
       for (size_t k = 0; k < rows.size(); ++k) {
-        normal_[k] = rows[k].kn * std::max(0.0, -gap_[k]);
+        normal_[k] = normal_force(rows[k], k);
         const double limit = friction_limit(rows[k], normal_[k]);
         shear_[k] = std::clamp(rows[k].ks * slide_[k], -limit, limit);
       }
@@ -125,7 +123,7 @@ int OpenClose::changed_states(const ContactTerms& contacts) const {
 void OpenClose::take_forces(const ContactTerms& contacts) {
   const auto& rows = contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
-    normal_[k] = factored_closed_[k] ? rows[k].kn * std::max(0.0, -gap_[k]) : 0;
+    normal_[k] = factored_closed_[k] ? normal_force(rows[k], k) : 0;
     const double limit = friction_limit(rows[k], normal_[k]);
     shear_[k] = factored_stuck_[k] ? std::clamp(rows[k].ks * slide_[k], -limit, limit) : std::copysign(limit, shear_[k]);
   }

@@ -1,10 +1,12 @@
 #pragma once
-// The contact solution of a step: which contacts are open, which stick, which slip, and the unknowns that go
-// with it. The first solve continues the states of the last step. Then Newton's method: on the coupled Coulomb law
-// where its residual falls, else on the convex potential of springs and of friction at a frozen normal force, with
-// exact line search and the normal force renewed after every iteration; after each, sweeps of nonlinear
-// Gauss–Seidel over the loose blocks. A solution is accepted only when the residual of the coupled law, friction at
-// the present normal force, is below its tolerance in every block: not when the states have stopped flipping.
+// The contact solution of a step: which contacts are open, which stick, which slip, and the unknowns that go with it.
+// Loose assemblies in motion are solved by sweeps over contact forces with Newton's steps between them; bonded blocks, and
+// equilibrium, by Newton's steps on the coupled Coulomb law where states have settled, else on the convex potential of
+// springs and of friction at a frozen normal force (docs/theory.md, § 6). A solution is accepted only when the residual of
+// the coupled law, friction at the present normal force, is below its tolerance in every block: not when the states have
+// stopped flipping.
+#include <algorithm>
+
 #include "equations/contact_terms.h"
 #include "equations/linear_solver.h"
 #include "step/contact_sweeps.h"
@@ -14,9 +16,9 @@ namespace talus {
 struct OpenCloseResult {
   bool converged = false;
   bool missed = false;   // a contact presses that was not solved for
-  int iterations = 0;   // solves with a factor
+  int iterations = 0;    // solves with a factor
   int sweeps = 0;
-  double sweep_change = 0;
+  double sweep_change = 0;  // of the forces in the last pair, part of their norm
   double residual = 0;    // largest over blocks, of force scale
   int worst_block = -1;
   int singular_block = -1;  // where the matrix was not positive definite
@@ -24,10 +26,9 @@ struct OpenCloseResult {
 
 class OpenClose {
  public:
-  // Solves for d, starting at d = 0 with the contacts' last normal forces as friction limits. Tolerance and
-  // residual are relative to the forces that meet in a block (see force_floor in the source). `smoothed`: loose
-  // blocks are also taken one by one, which serves motion and wastes time in equilibrium, where nothing but their
-  // neighbours holds them.
+  // Solves for d, from the contacts' last states and forces. Tolerance and residual are relative to the forces that meet
+  // in a block (see force_floor in the source). `motion`: sweeps serve; in equilibrium, where nothing but its neighbours
+  // holds a loose block, they waste time.
   OpenCloseResult solve(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
                         double tolerance, int max_iterations, bool motion, Vector& d);
   // Residual at d = 0 without solving.
@@ -41,20 +42,19 @@ class OpenClose {
   void start(const Model& model, const System& system, const ContactTerms& contacts);
   void evaluate(const ContactTerms& contacts, const Vector& d);
   void residual(const System& system, const ContactTerms& contacts, bool coupled, Vector& r) const;
-  double sweep(const Model& model, const System& system, const ContactTerms& contacts, int most, int worth, ContactSweeps::Carry carry, Vector& d,
-               OpenCloseResult& result);
+  double sweep(const Model& model, const System& system, const ContactTerms& contacts, int most, int worth,
+               ContactSweeps::Carry carry, Vector& d, OpenCloseResult& result);
   void take_states(const ContactTerms& contacts);
   void take_forces(const ContactTerms& contacts);
   void solve_motion(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
-                    const std::vector<double>& base, double tolerance, int max_iterations, Vector& d,
+                    double tolerance, int max_iterations, Vector& d,
                     OpenCloseResult& result);
   void solve_bonded(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
-                    const std::vector<double>& base, double tolerance, int max_iterations, bool motion, Vector& d,
+                    double tolerance, int max_iterations, bool motion, Vector& d,
                     OpenCloseResult& result);
   int changed_states(const ContactTerms& contacts) const;
   void continue_states(const Model& model);
-  bool factor(System& system, const ContactTerms& contacts, const std::vector<double>& base, LinearSolver& solver,
-              OpenCloseResult& result);
+  bool factor(System& system, const ContactTerms& contacts, LinearSolver& solver, OpenCloseResult& result);
   void predict(const Model& model, const System& system, const ContactTerms& contacts, LinearSolver& solver, Vector& d,
                OpenCloseResult& result);
   void convex_step(const Model& model, const System& system, const ContactTerms& contacts, LinearSolver& solver,
@@ -70,6 +70,7 @@ class OpenClose {
   void multiply(const System& system);  // kp_ = K p_
   double contact_slope(const ContactRows& row, size_t k, double step, double gap_rate, double slide_rate,
                        double factor) const;
+  double normal_force(const ContactRows& row, size_t k) const { return row.kn * std::max(0.0, -gap_[k]); }
   double friction_limit(const ContactRows& row, double normal) const;
   void judge_residual(const Model& model, const System& system, const ContactTerms& contacts, double place_rounding,
                       OpenCloseResult& result);

@@ -34,7 +34,7 @@ void OpenClose::residual(const System& system, const ContactTerms& contacts, boo
   r = system.force - kd_;
   const auto& rows = contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
-    const double normal = rows[k].kn * std::max(0.0, -gap_[k]);
+    const double normal = normal_force(rows[k], k);
     const double limit = coupled ? friction_limit(rows[k], normal) : limit_[k];
     if (normal > 0) rows[k].add(rows[k].normal_i, rows[k].normal_j, normal, r);
     if (limit > 0) rows[k].add(rows[k].shear_i, rows[k].shear_j, -std::clamp(rows[k].ks * slide_[k], -limit, limit), r);
@@ -66,7 +66,7 @@ void OpenClose::judge_residual(const Model& model, const System& system, const C
   const auto& rows = contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
     const Contact& contact = model.contacts[k];
-    const double normal = rows[k].kn * std::max(0.0, -gap_[k]);
+    const double normal = normal_force(rows[k], k);
     scale[contact.i] += normal;
     scale[contact.j] += normal;
     rounding[contact.i] += rows[k].kn * place_rounding;
@@ -111,7 +111,7 @@ void OpenClose::store(Model& model, const ContactTerms& contacts) const {
   const auto& rows = contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
     Contact& contact = model.contacts[k];
-    contact.normal_force = rows[k].kn * std::max(0.0, -gap_[k]);
+    contact.normal_force = normal_force(rows[k], k);
     const double limit = friction_limit(rows[k], contact.normal_force), trial = rows[k].ks * slide_[k];
     contact.shear_force = std::clamp(trial, -limit, limit);
     contact.state = contact.normal_force <= 0        ? ContactState::open

@@ -20,13 +20,12 @@ constexpr double coarse = 1e-3;  // of the residual: what a solve of the coupled
 
 }  // namespace
 
-bool OpenClose::factor(System& system, const ContactTerms& contacts, const std::vector<double>& base,
-                       LinearSolver& solver, OpenCloseResult& result) {
+bool OpenClose::factor(System& system, const ContactTerms& contacts, LinearSolver& solver, OpenCloseResult& result) {
   if (result.iterations > 0 && closed_ == factored_closed_ && stuck_ == factored_stuck_) return true;
-  system.matrix.values = base;
+  std::vector<double> linear = system.matrix.values;
   contacts.add_stiffness(system.matrix, closed_, stuck_);
   result.singular_block = solver.factor(system.matrix);
-  system.matrix.values = base;
+  system.matrix.values.swap(linear);
   factored_closed_ = closed_;
   factored_stuck_ = stuck_;
   return result.singular_block < 0;
@@ -48,7 +47,7 @@ void OpenClose::arrive(const Model& model, const System& system, const ContactTe
                        OpenCloseResult& result) {
   evaluate(contacts, d);
   const auto& rows = contacts.rows();
-  for (size_t k = 0; k < rows.size(); ++k) limit_[k] = friction_limit(rows[k], rows[k].kn * std::max(0.0, -gap_[k]));
+  for (size_t k = 0; k < rows.size(); ++k) limit_[k] = friction_limit(rows[k], normal_force(rows[k], k));
   judge_residual(model, system, contacts, 0, result);
 }
 
