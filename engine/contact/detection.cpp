@@ -59,6 +59,20 @@ double born_with(const Model& model, const Contact& c, double dt) {
   return std::max({0.0, -c.gap, depth_ahead(model, c, dt)});
 }
 
+// A bond that has just failed leaves to the faces what they can carry of its traction: pressing, and friction up to its
+// limit. Else they would first have to move into each other, and what the rock was pressed together with would shake it.
+void take_over(const Model& model, Contact& c) {
+  const BondTraction t = mean_traction(model.joints[c.joint]);
+  if (t.normal >= 0) return;
+  const Strength strength = model.contact_strength(c);
+  c.normal_force = -t.normal * c.length;
+  const double limit = c.normal_force * std::tan(strength.friction) + strength.cohesion * c.length;
+  c.shear_force = std::clamp(t.shear * c.length, -limit, limit);
+  c.stretch = c.shear_force / c.shear_stiffness;
+  c.offset = -c.gap - c.normal_force / c.normal_stiffness;
+  c.state = std::abs(c.shear_force) < limit ? ContactState::stick : ContactState::slip;
+}
+
 // After a hit X lies deeper than y, by Δt/4 times the speed of the rebound; a step shorter than the last would find that
 // depth as a load that nothing paid for. It is kept as an offset, which goes as the bodies part: nothing presses more at
 // the start of a step than at the end of the last.
@@ -105,6 +119,7 @@ void carry_over(const Model& model, double dt, std::vector<Contact>& now) {
       carry(*old, *c);
     else
       c->offset = born_with(model, *c, dt);
+    if (!old && c->joint >= 0) take_over(model, *c);
   }
 }
 
@@ -164,11 +179,17 @@ void ContactSearch::find_surface(const Model& model) {
   if (intact == intact_joints_) return;
   intact_joints_ = intact;
   surface_.free_edge.assign(model.reference_vertex.size(), 1);
+  surface_.joint.assign(model.reference_vertex.size(), -1);
   bonded_.clear();
-  for (const Joint& joint : model.joints) {
-    if (joint.state != JointState::intact) continue;
-    surface_.free_edge[model.shapes[joint.a].vertex_begin + joint.edge_a] = 0;
-    surface_.free_edge[model.shapes[joint.b].vertex_begin + joint.edge_b] = 0;
+  for (size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    const int face_a = model.shapes[joint.a].vertex_begin + joint.edge_a;
+    const int face_b = model.shapes[joint.b].vertex_begin + joint.edge_b;
+    if (joint.state != JointState::intact) {
+      surface_.joint[face_a] = surface_.joint[face_b] = int(j);
+      continue;
+    }
+    surface_.free_edge[face_a] = surface_.free_edge[face_b] = 0;
     bonded_.insert(pair_key(joint.a, joint.b));
   }
   bond_corners(model, bonded_);

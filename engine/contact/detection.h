@@ -20,6 +20,7 @@ std::vector<std::pair<int, int>> broad_phase(const Model& model, const std::vect
 
 // The outlines of bodies: of blocks, and of blocks bonded to each other, all by global vertex.
 struct Surface {
+  std::vector<int> joint;          // open joint whose face begins here, or -1
   std::vector<char> free_edge;     // no intact joint covers the edge that begins here; others cannot touch
   std::vector<int> ahead, behind;  // outline's next and last corner, of a block of the same body round this one: what the
                                    // body is at a corner, of which one block is only a part

@@ -80,7 +80,8 @@ class Pair {
     c.gap = gap;
     const double shared = corner ? 0 : shared_length(block_v, v, edge(block_e, e));
     c.kind = corner ? ContactKind::angle_angle : shared > 0 ? ContactKind::edge_edge : ContactKind::angle_edge;
-    c.property = model_.contact_property(block_v, block_e);
+    c.joint = corner ? -1 : joint_between(block_v, v, c.global_edge);
+    c.property = c.joint >= 0 ? model_.joints[c.joint].property : model_.contact_property(block_v, block_e);
     c.length = shared / 2;  // an edge–edge contact has two such pairs
     const JointProperty& property = model_.scene.properties[c.property];
     if (property.stiffness_kind == StiffnessKind::per_contact) {
@@ -137,6 +138,14 @@ class Pair {
   }
 
  private:
+  // The open joint one face of which is the edge at `face` and the other ends in corner `v` of `block`, or -1.
+  int joint_between(int block, int v, int face) const {
+    const int j = surface_.joint[face];
+    if (j < 0) return -1;
+    const Joint& joint = model_.joints[j];
+    const int own = joint.a == block ? joint.edge_a : joint.b == block ? joint.edge_b : -1;
+    return own >= 0 && (own == v || next(block, own) == v) ? j : -1;
+  }
   static bool lies_along(const Vec2& d, const Vec2& n) { return std::abs(d.dot(n)) <= parallel_sine * d.norm(); }
   static bool leads_away(const Vec2& d, const Vec2& n) { return d.dot(n) >= -parallel_sine * d.norm(); }
 

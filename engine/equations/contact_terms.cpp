@@ -15,7 +15,7 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
   rows_.resize(model.contacts.size());
   for (size_t k = 0; k < rows_.size(); ++k) {
     const Contact& contact = model.contacts[k];
-    const JointProperty& property = model.scene.properties[contact.property];
+    const Strength strength = model.contact_strength(contact);
     const BlockShape &shape_i = model.shapes[contact.i], &shape_j = model.shapes[contact.j];
     const Pose &pose_i = poses.blocks[contact.i], &pose_j = poses.blocks[contact.j];
     const Vec2 at = poses.vertex[contact.global_vertex], from = poses.vertex[contact.global_edge];
@@ -42,8 +42,8 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     row.slide0 = contact.stretch + scheme.step_v * sliding;
     row.kn = contact.normal_stiffness;
     row.ks = contact.shear_stiffness;
-    row.friction = stick ? std::numeric_limits<double>::infinity() : std::tan(property.friction);
-    row.cohesion = property.cohesion * contact.length;
+    row.friction = stick ? std::numeric_limits<double>::infinity() : std::tan(strength.friction);
+    row.cohesion = strength.cohesion * contact.length;
     const double pushed = near_part * std::min(shape_i.length, shape_j.length) +
                           0.5 * scheme.contact_v * std::hypot(approach, sliding);
     row.near = scheme.dt == 0 || contact.normal_force > 0 || row.gap0 <= nearness * pushed;

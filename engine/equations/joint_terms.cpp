@@ -93,8 +93,8 @@ void JointTerms::prepare(const Model& model) {
     const Matrix23 n = traction_of(normal);
     flux[block] += weighted_length * n.transpose() * n;
   };
-  for (const Joint& joint : model.joints) {
-    if (joint.state != JointState::intact || joint.kind != BondKind::exact) continue;
+  for (const Joint& joint : model.joints) {  // also those that have failed: a crack does not change how others are held
+    if (!joint.bonded || joint.kind != BondKind::exact) continue;
     add_face(joint.a, joint.normal, joint.weight_a * joint.weight_a * joint.length);
     add_face(joint.b, joint.normal, joint.weight_b * joint.weight_b * joint.length);
   }
@@ -183,23 +183,31 @@ double JointTerms::energy(const Model& model, double ahead) const {
   std::vector<Pose> now;
   for (int b = 0; b < int(model.blocks.size()); ++b) now.push_back(flown(model, b, 0));
   double sum = 0;
-  for (size_t j = 0; j < model.joints.size(); ++j) {
-    const Joint& joint = model.joints[j];
-    if (joint.state != JointState::intact) continue;
-    const Pose &pose_a = now[joint.a], &pose_b = now[joint.b];
-    const Side a = side_of(model, pose_a, joint.a, joint.normal, joint.weight_a);
-    const Side b = side_of(model, pose_b, joint.b, joint.normal, joint.weight_b);
-    Vec2 flux(0, 0);
-    if (joint.kind == BondKind::exact)
-      flux = a.weight * a.traction(a.strain_at(ahead)) + b.weight * b.traction(b.strain_at(ahead));
-    const Vec2 n = (pose_a.rotation.turn(joint.normal) + pose_b.rotation.turn(joint.normal)).normalized();
-    const auto [kn, ks] = stiffness_[j];
-    const double spin = spin_of(model, joint);
-    for (const JointPoint& point : joint.points) {
-      const Vec2 gap = jump_ahead(joint, pose_a, pose_b, spin, ahead, point.at);
-      const double normal = gap.dot(n), shear = gap.dot(perp(n));
-      sum += point.weight * (flux.dot(gap) + (kn * normal * normal + ks * shear * shear) / 2);
-    }
+  for (int j = 0; j < int(model.joints.size()); ++j)
+    if (model.joints[j].state == JointState::intact)
+      sum += energy_of(model, j, now[model.joints[j].a], now[model.joints[j].b], ahead);
+  return sum;
+}
+
+double JointTerms::energy_of(const Model& model, int j, double ahead) const {
+  return energy_of(model, j, flown(model, model.joints[j].a, 0), flown(model, model.joints[j].b, 0), ahead);
+}
+
+double JointTerms::energy_of(const Model& model, int j, const Pose& pose_a, const Pose& pose_b, double ahead) const {
+  const Joint& joint = model.joints[j];
+  const Side a = side_of(model, pose_a, joint.a, joint.normal, joint.weight_a);
+  const Side b = side_of(model, pose_b, joint.b, joint.normal, joint.weight_b);
+  Vec2 flux(0, 0);
+  if (joint.kind == BondKind::exact)
+    flux = a.weight * a.traction(a.strain_at(ahead)) + b.weight * b.traction(b.strain_at(ahead));
+  const Vec2 n = (pose_a.rotation.turn(joint.normal) + pose_b.rotation.turn(joint.normal)).normalized();
+  const auto [kn, ks] = stiffness_[j];
+  const double spin = spin_of(model, joint);
+  double sum = 0;
+  for (const JointPoint& point : joint.points) {
+    const Vec2 gap = jump_ahead(joint, pose_a, pose_b, spin, ahead, point.at);
+    const double normal = gap.dot(n), shear = gap.dot(perp(n));
+    sum += point.weight * (flux.dot(gap) + (kn * normal * normal + ks * shear * shear) / 2);
   }
   return sum;
 }

@@ -25,12 +25,15 @@ class JointTerms {
 
   // J/m: the bonds' potential `ahead` seconds along the present velocities, each in axes that turn with its pair.
   double energy(const Model& model, double ahead) const;
+  double energy_of(const Model& model, int joint, double ahead) const;  // whether intact or not
 
   // N/m3: {normal, shear} stiffness per area of joint `j`; k twice for an exact bond.
   std::array<double, 2> stiffness(int j) const { return stiffness_[j]; }
   const std::vector<double>& ground_stiffness() const { return ground_stiffness_; }  // N/m3, per EdgeFixity
 
  private:
+  double energy_of(const Model& model, int joint, const Pose& a, const Pose& b, double ahead) const;
+
   std::vector<std::array<double, 2>> stiffness_;
   std::vector<double> ground_stiffness_;
   struct Slots {

@@ -89,6 +89,11 @@ const Contact& contact(Context c, int id) {
   return c.model.contacts[id];
 }
 
+Strength strength_now(Context c, int id) {
+  const Joint& j = joint(c, id);
+  return j.bonded && j.state == JointState::failed ? j.remaining : c.model.strength(j);
+}
+
 double per_length(double force, const Contact& contact) {
   return contact.length > 0 ? force / contact.length : 0;
 }
@@ -138,6 +143,8 @@ std::span<const Field> block_fields() {
       whole("material", "number of its material, from 0", [](Context c, int i) { return shape(c, i).material; }),
       whole("order", "0 rigid or held, 1 first order", [](Context c, int i) { return shape(c, i).dofs == 6; }),
       whole("fixed", "1 for a held block", [](Context c, int i) { return shape(c, i).dofs == 0; }),
+      whole("fragment", "which fragment it belongs to, from 0: blocks that hang together by intact bonds",
+            [](Context c, int i) { return c.model.fragment.empty() ? 0 : c.model.fragment[i]; }),
       scalar("area", "A", "m2", "area now", [](Context c, int i) { return c.model.area(i); }),
       scalar("density", "ρ", "kg/m3", "density of its material",
              [](Context c, int i) { return c.model.material(i).density; }),
@@ -209,6 +216,16 @@ std::span<const Field> joint_fields() {
             [](Context c, int i) { return joint(c, i).state == JointState::failed; }),
       whole("kind", "0 exact bond, 1 springs",
             [](Context c, int i) { return joint(c, i).kind == BondKind::spring; }),
+      whole("mode", "0 intact or a real joint, failed in 1 tension, 2 shear",
+            [](Context c, int i) { return int(joint(c, i).mode); }),
+      whole("crack", "when it failed: 1 initiated, 2 propagated, 3 coalesced; else 0",
+            [](Context c, int i) { return int(joint(c, i).crack); }),
+      scalar("utilisation", "", "", "part of its strength that is used, by its criterion; of a failed one: when it failed",
+             [](Context c, int i) { return joint(c, i).utilisation; }),
+      scalar("failed_at", "", "s", "time of failure", [](Context c, int i) { return joint(c, i).failed_at; }),
+      scalar("cohesion", "", "Pa", "cohesion now", [](Context c, int i) { return strength_now(c, i).cohesion; }),
+      scalar("tension", "", "Pa", "tensile strength now", [](Context c, int i) { return strength_now(c, i).tension; }),
+      scalar("friction", "", "rad", "friction angle now", [](Context c, int i) { return strength_now(c, i).friction; }),
       scalar("length", "", "m", "length at the start", [](Context c, int i) { return joint(c, i).length; }),
       scalar("normal_traction", "", "Pa", "mean normal traction, tension positive",
              [](Context c, int i) { return joint_mean(joint(c, i), &JointPoint::normal); }),

@@ -1,5 +1,7 @@
 #include "model/model.h"
 
+#include <cstdio>
+
 namespace talus {
 
 namespace {
@@ -9,6 +11,14 @@ Vec2 stretched(const Vec3& strain, const Vec2& x) {
 }
 
 }  // namespace
+
+std::string block_name(const Model& model, int block) {
+  char text[160];
+  const Vec2 at = model.blocks[block].centroid + model.origin;
+  std::snprintf(text, sizeof text, "block %d (region \"%s\", at (%.6g, %.6g))", block + 1,
+                model.scene.regions[model.shapes[block].region].name.c_str(), at.x(), at.y());
+  return text;
+}
 
 Vec2 Model::place(int block, const Vec2& in_block) const {
   const BlockState& state = blocks[block];
@@ -55,6 +65,30 @@ int Model::contact_property(int a, int b) const {
       return rule.property;
   if (region_a == region_b && scene.regions[region_a].joint >= 0) return scene.regions[region_a].joint;
   return scene.contact;
+}
+
+BondTraction mean_traction(const Joint& joint) {
+  BondTraction sum;
+  double weight = 0;
+  for (const JointPoint& point : joint.points) {
+    sum.normal += point.weight * point.normal;
+    sum.shear += point.weight * point.shear;
+    weight += point.weight;
+  }
+  return {sum.normal / weight, sum.shear / weight};
+}
+
+Strength Model::strength(const Joint& joint) const {
+  const JointProperty& property = scene.properties[joint.property];
+  return {property.friction, joint.scatter * property.cohesion, joint.scatter * property.tension};
+}
+
+// What joins the faces of a failed bond, the cohesion of its roughness, does not join faces that meet elsewhere.
+Strength Model::contact_strength(const Contact& contact) const {
+  if (contact.joint >= 0 && joints[contact.joint].bonded) return joints[contact.joint].remaining;
+  const JointProperty& property = scene.properties[contact.property];
+  if (contact.joint < 0 && property.breaks) return {property.residual.friction, 0, 0};
+  return {property.friction, property.cohesion, 0};
 }
 
 Mat3 elasticity(const Material& material) {

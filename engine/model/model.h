@@ -60,6 +60,9 @@ struct BlockShape {
 };
 
 enum class JointState : std::uint8_t { intact, failed };
+enum class FailureMode : std::uint8_t { none, tension, shear };
+// Of a new crack: on its own, at the tip of one crack, between two.
+enum class CrackKind : std::uint8_t { none, initiated, propagated, coalesced };
 
 struct JointPoint {  // an integration point of a joint, and its state
   double at = 0, weight = 0;           // position 0–1 along the joint; m
@@ -67,21 +70,33 @@ struct JointPoint {  // an integration point of a joint, and its state
   double opening = 0, slip = 0;        // m, jump in the joint's axes
 };
 
-// A persistent interface between two blocks that share an edge. The edge runs from end 0 to end 1 with
-// block a on its left; its normal points from a to b.
+// A persistent interface between two blocks that share an edge: a bond, until it fails, or a real joint, which was never
+// bonded. The edge runs from end 0 to end 1 with block a on its left; its normal points from a to b.
 struct Joint {
   int a = 0, b = 0;
   int property = 0;
-  int trace = -1;  // id of the joint trace of its region, or -1 for an artificial joint
+  int trace = -1;      // id of the joint trace of its region, or -1 for an artificial joint
+  bool bonded = true;  // at the start
   JointState state = JointState::intact;
+  FailureMode mode = FailureMode::none;
+  CrackKind crack = CrackKind::none;
+  double failed_at = 0;                // s
+  BondTraction failed_with;            // Pa
+  double utilisation = 0;              // by its criterion, of the last accepted step; of a failed bond: when it failed
+  double scatter = 1;                  // of its strength, about that of its property
+  Strength remaining;                  // Pa; of what has failed
+  double most_opening = 0, most_slip = 0;  // m, since it failed
   BondKind kind = BondKind::exact;
   double length = 0;                   // m, reference
   Vec2 normal = Vec2::Zero();          // reference
   std::array<Vec2, 2> in_a, in_b;      // ends, from the blocks' reference centroids
   int edge_a = 0, edge_b = 0;          // the blocks' own edges, by local number
+  std::array<int, 2> node = {-1, -1};  // of its ends, into Model::nodes
   double weight_a = 0.5, weight_b = 0.5;  // shares of the two blocks in the flux {σ}n
   std::array<JointPoint, 2> points;
 };
+
+BondTraction mean_traction(const Joint& joint);  // over its points
 
 enum class ContactState : std::uint8_t { open, stick, slip };
 enum class ContactKind : std::uint8_t { angle_angle, angle_edge, edge_edge };
@@ -92,10 +107,11 @@ struct Contact {
   ContactKind kind = ContactKind::angle_edge;
   ContactState state = ContactState::open;
   int property = 0;
+  int joint = -1;                     // that has failed or was never bonded and whose faces these are, or -1
   double length = 0;                  // m, part of the interface it stands for
   double normal_stiffness = 0, shear_stiffness = 0;  // N/m
   double gap = 0;                     // m, negative when pressed together
-  double offset = 0;                  // m, overlap at birth that is not counted as pressing
+  double offset = 0;                  // m, overlap at birth that is not counted as pressing; < 0: pressed by a bond before
   double stretch = 0;                 // m, elastic part of the sliding: shear force / shear stiffness
   double slip = 0;                    // m, plastic part, accumulated along the edge
   double normal_force = 0, shear_force = 0;  // N; normal positive when pressed together
@@ -160,6 +176,7 @@ class Model {
   std::vector<EdgeForce> edge_forces;
   std::vector<ProbePoint> probes;
   Nodes nodes;
+  std::vector<int> fragment;  // per block: which connected set of intact joints it belongs to; empty where none can break
   std::vector<int> held_by;  // per block: index of the fixity that holds it wholly, or -1
   std::unordered_map<std::int64_t, int> pair_property;  // unbonded interfaces: (a, b) with a < b -> property
   int dofs = 0;
@@ -177,7 +194,11 @@ class Model {
   Vec3 stress(int block) const;       // sxx, syy, sxy, global axes, raw (constant in a first-order block)
   void place_vertices();              // vertex from blocks
   int contact_property(int a, int b) const;
+  Strength strength(const Joint& joint) const;            // of the intact bond
+  Strength contact_strength(const Contact& contact) const;
 };
+
+std::string block_name(const Model& model, int block);  // for messages: its number from 1, region and place
 
 // Stress–strain matrix (Pa) for (εx, εy, γxy) -> (σx, σy, τ).
 Mat3 elasticity(const Material& material);

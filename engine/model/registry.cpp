@@ -19,7 +19,7 @@ void visit_state(Model& model, StateVisitor& v) {
   v.constant("edge_fixities", model.edge_fixities);
   v.constant("point_forces", model.point_forces);
   v.constant("edge_forces", model.edge_forces);
-  // vertex comes from blocks; revision only tells that something changed.
+  // vertex comes from blocks, fragment from joints; revision only tells that something changed.
 }
 
 void visit_values(Scene& scene, StateVisitor& v) {
@@ -59,20 +59,38 @@ void visit_state(JointPoint& point, StateVisitor& v) {
 }
 
 void visit_state(Joint& joint, StateVisitor& v) {
-  auto& [a, b, property, trace, state, kind, length, normal, in_a, in_b, edge_a, edge_b, weight_a, weight_b,
-         points] = joint;
-  for (int* number : {&a, &b, &property, &trace, &edge_a, &edge_b}) v.constant("joint", *number);
+  auto& [a, b, property, trace, bonded, state, mode, crack, failed_at, failed_with, utilisation, scatter, remaining,
+         most_opening, most_slip, kind, length, normal, in_a, in_b, edge_a, edge_b, node, weight_a, weight_b, points] = joint;
+  for (int* number : {&a, &b, &property, &trace, &edge_a, &edge_b, &node[0], &node[1]}) v.constant("joint", *number);
+  v.constant("bonded", bonded);
+  v.constant("scatter", scatter);
   v.constant("kind", kind);
   for (double* number : {&length, &weight_a, &weight_b}) v.constant("joint", *number);
   v.constant("normal", normal);
   v.constant("in_a", in_a);
   v.constant("in_b", in_b);
   v("state", state);
+  v("mode", mode);
+  v("crack", crack);
+  v("failed_at", failed_at);
+  v("failed_with", failed_with.normal);
+  v("failed_with", failed_with.shear);
+  v("utilisation", utilisation);
+  v("remaining", remaining);
+  v("most_opening", most_opening);
+  v("most_slip", most_slip);
   v("points", points);
 }
 
+void visit_state(Strength& strength, StateVisitor& v) {
+  auto& [friction, cohesion, tension] = strength;
+  v("friction", friction);
+  v("cohesion", cohesion);
+  v("tension", tension);
+}
+
 void visit_state(Contact& contact, StateVisitor& v) {
-  auto& [i, vertex, j, edge, kind, state, property, length, normal_stiffness, shear_stiffness, gap, offset,
+  auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset,
          stretch, slip, normal_force, shear_force, global_vertex, global_edge] = contact;
   v("i", i);
   v("vertex", vertex);
@@ -81,6 +99,7 @@ void visit_state(Contact& contact, StateVisitor& v) {
   v("kind", kind);
   v("state", state);
   v("property", property);
+  v("joint", joint);
   v("length", length);
   v("normal_stiffness", normal_stiffness);
   v("shear_stiffness", shear_stiffness);
@@ -104,7 +123,8 @@ void visit_state(Material& material, StateVisitor& v) {
 
 void visit_state(JointProperty& property, StateVisitor& v) {
   [[maybe_unused]] auto& [place, name, friction, cohesion, tension, bond, penalty, stiffness_kind, stiffness,
-                          shear_ratio] = property;
+                          shear_ratio, breaks, residual, criterion, reduction, weibull, seed] = property;
+  // criterion, reduction: functions, settled by the script; weibull, seed: see Joint::scatter
   v("friction", friction);
   v("cohesion", cohesion);
   v("tension", tension);
@@ -113,6 +133,8 @@ void visit_state(JointProperty& property, StateVisitor& v) {
   v("stiffness_kind", stiffness_kind);
   v("stiffness", stiffness);
   v("shear_ratio", shear_ratio);
+  v.constant("breaks", breaks);
+  v("residual", residual);
 }
 
 void visit_state(On& on, StateVisitor& v) {

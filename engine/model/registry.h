@@ -20,6 +20,7 @@ void visit_state(Joint& joint, StateVisitor& visitor);
 void visit_state(Contact& contact, StateVisitor& visitor);
 void visit_state(Material& material, StateVisitor& visitor);
 void visit_state(JointProperty& property, StateVisitor& visitor);
+void visit_state(Strength& strength, StateVisitor& visitor);
 void visit_state(On& on, StateVisitor& visitor);
 void visit_state(Fixity& fixity, StateVisitor& visitor);
 void visit_state(PointLoad& load, StateVisitor& visitor);

@@ -45,7 +45,7 @@ class StateVisitor {
     (*this)(name, value);
     inside_constant_ = outside;
   }
-  // A function of the script. Only that there is one can be written down.
+  // A history's function. Only that there is one can be written down.
   void law(std::function<double(double)>& function) {
     if (wanted()) take_law(function);
   }

@@ -9,10 +9,12 @@
 #include <sstream>
 #include <string_view>
 
+#include "fracture/cracks.h"
 #include "model/fields.h"
 #include "output/output.h"
 #include "output/text.h"
 #include "step/energy_terms.h"
+#include "step/step.h"
 
 namespace talus {
 
@@ -20,10 +22,23 @@ namespace {
 
 constexpr std::array probe_columns = {"ux", "uy", "vx", "vy", "sxx", "syy", "sxy"};
 
+// Supports that move: the load of a load–displacement curve.
+std::vector<std::string> reaction_names(const Model& model, const Plan& plan) {
+  std::vector<std::string> names;
+  if (!plan.moving_supports) return names;
+  for (const Fixity& fixity : model.scene.fixities)
+    if (fixity.motion != Fixity::none && std::find(names.begin(), names.end(), fixity.name) == names.end())
+      names.push_back(fixity.name);
+  return names;
+}
+
 std::string header(const Model& model, const Plan& plan) {
   std::string line = "time [s],step,dt [s],";
   for (const EnergyTerm* term : energy_terms(plan)) line += term->column + " [J/m],";
   line += "closed_contacts,max_residual";
+  if (plan.fracture) line += ",failed_bonds,tension_cracks [m],shear_cracks [m],fragments";
+  for (const std::string& name : reaction_names(model, plan))
+    for (const char* axis : {".reaction_x [N/m]", ".reaction_y [N/m]"}) line += "," + csv_cell(name + axis);
   for (const ProbePoint& probe : model.probes)
     for (const char* column : probe_columns) {
       const Field& field = *find_field(probe_fields(), column);
@@ -100,6 +115,22 @@ void HistoryTable::add(Simulation& simulation, double residual, const std::vecto
   const Energies energies = simulation.energies();
   for (const EnergyTerm* term : energy_terms(simulation.plan)) line += shortest(energies.*term->value) + ",";
   line += std::to_string(simulation.last.closed_contacts) + "," + shortest(residual);
+  if (simulation.plan.fracture) {
+    const CrackLengths cracks = crack_lengths(model);
+    const int fragments = 1 + *std::max_element(model.fragment.begin(), model.fragment.end());
+    line += "," + std::to_string(cracks.joints) + "," + shortest(cracks.tension) + "," + shortest(cracks.shear) + "," +
+            std::to_string(fragments);
+  }
+  const auto names = reaction_names(model, simulation.plan);
+  if (!names.empty()) {
+    const std::vector<Vec2> reactions = simulation.stepper().reactions();
+    for (const std::string& name : names) {
+      Vec2 sum = Vec2::Zero();
+      for (size_t f = 0; f < reactions.size(); ++f)
+        if (model.scene.fixities[f].name == name) sum += reactions[f];
+      line += "," + shortest(sum.x()) + "," + shortest(sum.y());
+    }
+  }
   for (int probe = 0; probe < static_cast<int>(model.probes.size()); ++probe)
     for (const char* column : probe_columns) {
       double value = 0;

@@ -21,7 +21,7 @@ struct RunOutput::Parts {
   std::string dir, command_line;
   std::vector<RunAccount::Restore> restores;
   double started = wall_seconds();
-  std::optional<PvdSeries> blocks, joints;
+  std::optional<PvdSeries> blocks, joints, cracks;
   std::optional<HistoryTable> history;
   EnergyRecord energies;
   int frames = 0;
@@ -58,6 +58,11 @@ void RunOutput::Parts::write_frame(Simulation& simulation) {
     const std::string name = frame_name("joints", frames, ".vtp");
     write_joints_vtp(dir + "/" + name, model);
     joints->add(model.time, name);
+  }
+  if (cracks) {
+    const std::string name = frame_name("cracks", frames, ".vtp");
+    write_cracks_vtp(dir + "/" + name, model);
+    cracks->add(model.time, name);
   }
   if (output.picture) {
     const std::string svg = draw_picture(context, {.field = output.picture_field, .scale = output.picture_scale});
@@ -102,8 +107,9 @@ RunOutput::RunOutput(Simulation& simulation, const std::string& command_line, bo
   if (!scene.output.vtk) return;
   parts_->blocks.emplace(parts_->dir, "blocks");
   if (simulation.plan.bonds || simulation.plan.contacts) parts_->joints.emplace(parts_->dir, "joints");
+  if (simulation.plan.fracture) parts_->cracks.emplace(parts_->dir, "cracks");
   if (!resumed) return;
-  for (std::optional<PvdSeries>* series : {&parts_->blocks, &parts_->joints})
+  for (std::optional<PvdSeries>* series : {&parts_->blocks, &parts_->joints, &parts_->cracks})
     if (*series) (*series)->read_back();
 }
 
@@ -131,7 +137,7 @@ std::uint64_t RunOutput::layout() {
 void RunOutput::rewind(const Simulation& simulation, const std::string& from) {
   if (!parts_) return;
   parts_->history->rewind(parts_->row_step);
-  for (std::optional<PvdSeries>* series : {&parts_->blocks, &parts_->joints})
+  for (std::optional<PvdSeries>* series : {&parts_->blocks, &parts_->joints, &parts_->cracks})
     if (*series) (*series)->rewind(parts_->frames);
   parts_->restores.push_back({from, simulation.totals.steps, simulation.model.time});
 }

@@ -121,9 +121,9 @@ void draw_titles(Svg& svg, const Model& model, const PictureField& field, double
   const double t_end = model.scene.time.t_end;  // one unit of time all run long
   std::string line = "t = " + quantity(model.time, shown_unit("s", t_end > 0 ? t_end : model.time), 4);
   if (magnification != 1) line += ", displacements × " + significant(magnification, 4);
-  const int failed = failed_joints(model);
-  if (failed > 0)
-    line += ", " + std::to_string(failed) + (failed == 1 ? " failed joint" : " failed joints") + " (black)";
+  const int tension = failed_joints(model, FailureMode::tension), shear = failed_joints(model, FailureMode::shear);
+  if (tension > 0) line += ", " + std::to_string(tension) + " failed in tension (black)";
+  if (shear > 0) line += ", " + std::to_string(shear) + " in shear (magenta)";
   svg.text({left, 12 + title_size + 2 * line_height}, line, {.size = line_size, .colour = "#444"});
 }
 

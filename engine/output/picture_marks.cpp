@@ -141,25 +141,27 @@ Vec2 far_end(const Arrow& arrow) {
   return arrow.length * (arrow.tip_at_point ? Vec2(-direction) : direction);
 }
 
-int failed_joints(const Model& model) {
+int failed_joints(const Model& model, FailureMode mode) {
   return static_cast<int>(std::count_if(model.joints.begin(), model.joints.end(),
-                                        [](const Joint& joint) { return joint.state == JointState::failed; }));
+                                        [mode](const Joint& joint) { return joint.mode == mode; }));
 }
 
 void draw_failed_joints(Svg& svg, const Frame& frame, const Placement& placement) {
-  Path path;
-  for (const Joint& joint : placement.model().joints) {
-    if (joint.state != JointState::failed) continue;
-    Vec2 ends[2];
-    for (int k = 0; k < 2; ++k)
-      ends[k] = frame.at((placement.place(joint.a, joint.in_a[k]) + placement.place(joint.b, joint.in_b[k])) / 2);
-    path.add(ends, false);
-  }
-  if (path.data().empty()) return;
-  svg.raw(
-      "<path transform=\"scale(.1)\" clip-path=\"url(#frame)\" fill=\"none\" stroke=\"#000\" stroke-width=\"16\" "
-      "stroke-linecap=\"round\" d=\"" +
-      path.data() + "\"/>\n");
+  const auto draw = [&](FailureMode mode, const std::string& colour) {
+    Path path;
+    for (const Joint& joint : placement.model().joints) {
+      if (joint.mode != mode) continue;
+      Vec2 ends[2];
+      for (int k = 0; k < 2; ++k)
+        ends[k] = frame.at((placement.place(joint.a, joint.in_a[k]) + placement.place(joint.b, joint.in_b[k])) / 2);
+      path.add(ends, false);
+    }
+    if (path.data().empty()) return;
+    svg.raw("<path transform=\"scale(.1)\" clip-path=\"url(#frame)\" fill=\"none\" stroke=\"" + colour +
+            "\" stroke-width=\"16\" stroke-linecap=\"round\" d=\"" + path.data() + "\"/>\n");
+  };
+  draw(FailureMode::shear, shear_crack_colour);
+  draw(FailureMode::tension, tension_crack_colour);
 }
 
 void draw_fixities(Svg& svg, const Frame& frame, const Placement& placement) {

@@ -33,7 +33,8 @@ struct Arrow {
 std::vector<Arrow> load_arrows(const Placement& placement, double px_per_metre);
 Vec2 far_end(const Arrow& arrow);  // px from the loaded point, y down
 
-int failed_joints(const Model& model);
+constexpr const char *tension_crack_colour = "#000000", *shear_crack_colour = "#d6008a";
+int failed_joints(const Model& model, FailureMode mode);
 void draw_failed_joints(Svg& svg, const Frame& frame, const Placement& placement);
 void draw_fixities(Svg& svg, const Frame& frame, const Placement& placement);
 void draw_arrows(Svg& svg, const Frame& frame, const std::vector<Arrow>& arrows);

@@ -25,9 +25,11 @@ namespace talus {
 namespace {
 
 // Beside `id`, which counts from 1 as in Lua.
-constexpr std::array block_arrays = {"region", "material", "order", "fixed", "displacement", "velocity",
+constexpr std::array block_arrays = {"region", "material", "order", "fixed", "fragment", "displacement", "velocity",
                                      "rotation", "spin",   "strain", "sxx",  "syy",          "sxy",
                                      "szz",    "s1",       "s2",    "s1_direction", "mises"};
+
+constexpr std::array crack_arrays = {"failed_at", "utilisation", "opening", "slip", "cohesion", "tension", "friction"};
 
 constexpr std::array smoothed_arrays = {"sxx_smooth", "syy_smooth", "sxy_smooth", "s1_smooth", "s2_smooth"};
 
@@ -118,6 +120,7 @@ struct Line {
   int kind, state, property;  // 0 joint, 1 contact; index into line_states
   double normal, shear;       // Pa, tension positive
   double opening, slip;       // m
+  double utilisation;         // of a joint
 };
 const std::vector<std::string> line_kinds = {"joint", "contact"};
 const std::vector<std::string> line_states = {"intact", "failed", "open", "stick", "slip"};
@@ -147,7 +150,8 @@ Line joint_line(const FieldContext& context, int id) {
           value("normal_traction"),
           value("shear_traction"),
           value("opening"),
-          value("slip")};
+          value("slip"),
+          value("utilisation")};
 }
 
 // The part of the edge `from` + s·`span`, s in 0–1, that the contact stands for: from the foot of the corner along the
@@ -195,7 +199,8 @@ Line contact_line(const FieldContext& context, int id) {
           value("normal_traction"),
           value("shear_traction"),
           contact.gap,
-          contact.slip};
+          contact.slip,
+          0};
 }
 
 void add_lines(vtkPolyData* data, const std::vector<Line>& lines, const Vec2& origin) {
@@ -260,9 +265,47 @@ void write_joints_vtp(const std::string& path, const Model& model) {
   add_member<vtkDoubleArray>(data, "shear_traction", lines, &Line::shear);
   add_member<vtkDoubleArray>(data, "opening", lines, &Line::opening);
   add_member<vtkDoubleArray>(data, "slip", lines, &Line::slip);
+  add_member<vtkDoubleArray>(data, "utilisation", lines, &Line::utilisation);
   add_names(data->GetFieldData(), "kind_names", line_kinds);
   add_names(data->GetFieldData(), "state_names", line_states);
   add_names(data->GetFieldData(), "property_names", names_of(model.scene.properties));
+  add_time(data->GetFieldData(), model.time);
+  write(path, data);
+}
+
+void write_cracks_vtp(const std::string& path, const Model& model) {
+  std::vector<int> failed;
+  for (int id = 0; id < static_cast<int>(model.joints.size()); ++id)
+    if (model.joints[id].state == JointState::failed) failed.push_back(id);
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (const int id : failed) {
+    const Joint& joint = model.joints[id];
+    lines->InsertNextCell(2);
+    for (const int end : {0, 1}) {
+      const Vec2 at = (model.place(joint.a, joint.in_a[end]) + model.place(joint.b, joint.in_b[end])) / 2 + model.origin;
+      lines->InsertCellPoint(points->InsertNextPoint(at.x(), at.y(), 0));
+    }
+  }
+  data->SetPoints(points);
+  data->SetLines(lines);
+  const FieldContext context = {model, nullptr};
+  const auto count = static_cast<vtkIdType>(failed.size());
+  vtkCellData* cells = data->GetCellData();
+  const auto value = [&](const char* name, int shift) {
+    return [&context, &failed, shift, &field = *find_field(joint_fields(), name)](int i, double* out) {
+      field.get(context, failed[i], out);
+      *out += shift;
+    };
+  };
+  // Numbers of joints and blocks count from 1, as in Lua.
+  for (const auto& [name, shift] : {std::pair{"id", 1}, {"block_a", 1}, {"block_b", 1}, {"mode", 0}, {"crack", 0}})
+    add_array<vtkIntArray>(cells, name, 1, count, value(name, shift));
+  for (const char* name : crack_arrays) add_array<vtkDoubleArray>(cells, name, 1, count, value(name, 0));
+  add_names(data->GetFieldData(), "mode_names", {"real joint", "tension", "shear"});
+  add_names(data->GetFieldData(), "crack_names", {"real joint", "initiated", "propagated", "coalesced"});
   add_time(data->GetFieldData(), model.time);
   write(path, data);
 }

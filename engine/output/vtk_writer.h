@@ -16,6 +16,9 @@ void write_blocks_vtp(const std::string& path, const FieldContext& context, cons
 // vertex to the edge would be too short to see as soon as they touch.
 void write_joints_vtp(const std::string& path, const Model& model);
 
+// Failed and real joints as lines between where their ends are now.
+void write_cracks_vtp(const std::string& path, const Model& model);
+
 std::string vtk_version();
 
 }  // namespace talus

@@ -1,7 +1,9 @@
 #include "scene/build.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <random>
 
 #include "scene/build_parts.h"
 
@@ -77,6 +79,19 @@ void share_fluxes(Model& model) {
   }
 }
 
+// Strengths of bonds about that of their property, which is their mean: Weibull's distribution, drawn in order of the
+// joints by a generator that is the same on every machine.
+void scatter_strengths(Model& model) {
+  std::vector<std::mt19937_64> draw;
+  for (const JointProperty& property : model.scene.properties) draw.emplace_back(property.seed);
+  for (Joint& joint : model.joints) {
+    const double modulus = model.scene.properties[joint.property].weibull;
+    if (!joint.bonded || modulus == 0) continue;
+    const double part = (double(draw[joint.property]() >> 11) + 0.5) * 0x1p-53;  // in (0, 1)
+    joint.scatter = std::pow(-std::log(part), 1 / modulus) / std::tgamma(1 + 1 / modulus);
+  }
+}
+
 }  // namespace
 
 Model build(Scene scene) {
@@ -93,6 +108,7 @@ Model build(Scene scene) {
   attach(model, edges);
   number_unknowns(model);
   share_fluxes(model);
+  scatter_strengths(model);
   model.place_vertices();
   return model;
 }

@@ -121,7 +121,8 @@ int add_block(Model& model, int region_id, const Polyline& outline) {
 // The local edge of a cell that starts at point `p`.
 int edge_from(const std::vector<int>& cell, int p) { return int(std::find(cell.begin(), cell.end(), p) - cell.begin()); }
 
-void add_joint(Model& model, int first, const Tessellation& t, const Tessellation::Interface& face, int property) {
+void add_joint(Model& model, int first, const Tessellation& t, const Tessellation::Interface& face, int property,
+               bool bonded, const std::vector<int>& node) {
   const int a = first + face.a, b = first + face.b;
   const Vec2 p = t.points[face.p], q = t.points[face.q];
   Joint joint;
@@ -131,6 +132,9 @@ void add_joint(Model& model, int first, const Tessellation& t, const Tessellatio
   joint.b = b;
   joint.property = property;
   joint.trace = face.trace;
+  joint.bonded = bonded;
+  joint.state = bonded ? JointState::intact : JointState::failed;
+  joint.node = {node[face.p], node[face.q]};
   joint.kind = model.scene.properties[property].bond;
   joint.length = (q - p).norm();
   joint.normal = -perp(q - p) / joint.length;
@@ -147,7 +151,9 @@ void add_joint(Model& model, int first, const Tessellation& t, const Tessellatio
 
 // Nodes are the tessellation's points; a point where an unbonded trace passes serves both sides, and the
 // recovery separates them by the joints' connectivity.
-void add_nodes(Model& model, int region, const Tessellation& t, int first_block) {
+// Returns the number of each point's node.
+std::vector<int> add_nodes(Model& model, int region, const Tessellation& t, int first_block) {
+  std::vector<int> node(t.points.size(), -1);
   std::vector<std::vector<std::pair<int, int>>> corners(t.points.size());
   for (size_t c = 0; c < t.cells.size(); ++c)
     for (size_t v = 0; v < t.cells[c].size(); ++v) corners[t.cells[c][v]].push_back({first_block + int(c), int(v)});
@@ -155,6 +161,7 @@ void add_nodes(Model& model, int region, const Tessellation& t, int first_block)
   if (nodes.begin.empty()) nodes.begin.push_back(0);
   for (size_t p = 0; p < t.points.size(); ++p) {
     if (corners[p].empty()) continue;
+    node[p] = int(nodes.position.size());
     nodes.position.push_back(t.points[p]);
     nodes.region.push_back(region);
     for (const auto& [block, corner] : corners[p]) {
@@ -163,6 +170,7 @@ void add_nodes(Model& model, int region, const Tessellation& t, int first_block)
     }
     nodes.begin.push_back(int(nodes.blocks.size()));
   }
+  return node;
 }
 
 void add_tessellation(Model& model, int region_id, const Tessellation& t, const Cuts& cuts,
@@ -174,18 +182,18 @@ void add_tessellation(Model& model, int region_id, const Tessellation& t, const 
     for (int p : cell) outline.push_back(t.points[p]);
     add_block(model, region_id, outline);
   }
+  const std::vector<int> node = add_nodes(model, region_id, t, first);
   const int own = region.joint >= 0 ? region.joint : model.scene.contact;
   for (const Tessellation::Interface& face : t.interfaces) {
     const int a = first + face.a, b = first + face.b;
     const int property = face.trace >= 0 && cuts.property[face.trace] >= 0 ? cuts.property[face.trace] : own;
-    if (face.trace < 0 || cuts.bonded[face.trace])
-      add_joint(model, first, t, face, property);
-    else
+    const bool bonded = face.trace < 0 || cuts.bonded[face.trace];
+    add_joint(model, first, t, face, property, bonded, node);
+    if (!bonded)
       model.pair_property[(std::int64_t(std::min(a, b)) << 32) | std::max(a, b)] = property;
   }
   for (const BoundaryEdge& edge : boundary_edges(t))
     edges.push_back({region_id, first + edge.cell, t.points[edge.p], t.points[edge.q]});
-  add_nodes(model, region_id, t, first);
 }
 
 void add_ready_blocks(Model& model, int region_id, std::vector<FreeEdge>& edges) {

@@ -38,8 +38,14 @@ Plan make_plan(const Model& model) {
     return region.body_force[0].given() || region.body_force[1].given();
   };
   plan.dynamic = scene.time.mode == Mode::dynamic;
-  plan.bonds = !model.joints.empty();
-  plan.contacts = count_bodies(model) > 1 || !model.pair_property.empty();
+  const auto bonded = [](const Joint& joint) { return joint.bonded; };
+  const auto breakable = [&](const Joint& joint) {
+    return joint.bonded && scene.properties[joint.property].breaks;
+  };
+  plan.bonds = std::any_of(model.joints.begin(), model.joints.end(), bonded);
+  const auto breakable_count = std::count_if(model.joints.begin(), model.joints.end(), breakable);
+  plan.fracture = breakable_count > 0;
+  plan.contacts = count_bodies(model) > 1 || !model.pair_property.empty() || plan.fracture;
   plan.fixities = !model.edge_fixities.empty() || !model.point_fixities.empty();
   plan.point_loads = !model.point_forces.empty();
   plan.edge_loads = !model.edge_forces.empty();
@@ -66,10 +72,11 @@ Plan make_plan(const Model& model) {
   line(true, "mode", plan.dynamic ? (scene.numerics.integrator == Integrator::theta ? "dynamic, velocity theta-scheme"
                                                                                    : "dynamic, Newmark (1/2, 1)")
                                   : "static equilibrium, " + count_text(size_t(scene.time.steps), "load step"));
-  const size_t exact = size_t(std::count_if(model.joints.begin(), model.joints.end(),
-                                            [](const Joint& j) { return j.kind == BondKind::exact; }));
-  line(plan.bonds, "bonds", std::to_string(exact) + " exact (Nitsche), " + std::to_string(model.joints.size() - exact) +
-                                " by springs");
+  const auto exact = std::count_if(model.joints.begin(), model.joints.end(),
+                                   [](const Joint& j) { return j.bonded && j.kind == BondKind::exact; });
+  const auto bonds = std::count_if(model.joints.begin(), model.joints.end(), bonded);
+  line(plan.bonds, "bonds", std::to_string(exact) + " exact (Nitsche), " + std::to_string(bonds - exact) + " by springs");
+  line(plan.fracture, "fracture", count_text(size_t(breakable_count), "bond") + " that can fail");
   line(plan.contacts, "contacts", "search, open-close, Coulomb friction");
   line(plan.fixities, "fixities", count_text(model.edge_fixities.size(), "edge") + ", " +
                                       count_text(model.point_fixities.size(), "point"));

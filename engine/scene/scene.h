@@ -11,6 +11,7 @@
 #include "geometry/vec2.h"
 #include "scene/error.h"
 #include "scene/history_law.h"
+#include "scene/strength.h"
 
 namespace talus {
 
@@ -40,6 +41,14 @@ struct JointProperty {
   StiffnessKind stiffness_kind = StiffnessKind::per_length;
   double stiffness = 100;    // contacts and spring bonds. per_length: alpha in alpha E/h; per_contact: N/m
   double shear_ratio = 0.4;  // shear stiffness / normal stiffness of contacts and spring bonds
+  bool breaks = false;       // its bonds have a strength: the three above; without one they hold for ever
+  Strength residual;         // of a failed bond, where there is no `reduction`
+  FailureCriterion criterion;  // empty: Mohr–Coulomb with tension cut-off
+  ReductionLaw reduction;      // empty: at once to `residual`
+  double weibull = 0;          // modulus of the bonds' scattered strength; 0: all alike
+  unsigned seed = 1;           // of the scatter
+
+  Strength strength() const { return {friction, cohesion, tension}; }
 };
 
 // A straight or bent joint trace that cuts its region. Where two blocks meet on it they touch by contact
@@ -182,6 +191,15 @@ struct Numerics {
   bool recovery = true;            // smoothed stress for output and probes beside the raw block stress
 };
 
+enum class FailureOrder { critical, all, one };
+
+// Which of the bonds that have reached their strength fail at once, before the others are judged anew.
+struct FractureControl {
+  FailureOrder order = FailureOrder::critical;  // the most critical and those within `band` of it
+  double band = 0.05;       // part of the highest utilisation
+  double overshoot = 0.01;  // static: part by which an increment of load may pass the strength of the first bond
+};
+
 struct Output {
   Place place;
   std::string dir;           // empty: write nothing
@@ -209,6 +227,7 @@ struct Scene {
   std::vector<Probe> probes;
   TimeControl time;
   Numerics numerics;
+  FractureControl fracture;
   Output output;
   long max_blocks = 200000;  // a mesh that would give more is refused with its estimate
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fracture/cracks.h"
 #include "script/lua_error.h"
 #include "script/nearest.h"
 
@@ -63,6 +64,10 @@ const ShownField joint_shown[] = {
      [](lua_State* L, const Model& m, int id) { lua_pushinteger(L, m.joints[id].b + 1); }},
     {"state", "\"intact\" or \"failed\"",
      [](lua_State* L, const Model& m, int id) { lua_pushstring(L, state_word(m.joints[id].state)); }},
+    {"mode", "how it failed: \"none\", \"tension\" or \"shear\"; a real joint never did",
+     [](lua_State* L, const Model& m, int id) { lua_pushstring(L, failure_word(m.joints[id].mode)); }},
+    {"crack", "what it was when it failed: \"none\", \"initiated\", \"propagated\" or \"coalesced\"",
+     [](lua_State* L, const Model& m, int id) { lua_pushstring(L, crack_word(m.joints[id].crack)); }},
     {"kind", "\"exact\" or \"spring\"",
      [](lua_State* L, const Model& m, int id) { lua_pushstring(L, bond_word(m.joints[id].kind)); }},
     {"trace", "joint trace it lies on, from 1; 0 for a joint of the mesh",

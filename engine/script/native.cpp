@@ -75,7 +75,10 @@ int native_create(lua_State* L) {
   const TableReader table(L, 1);
   RunHandlers handlers;
   for (const auto& [key, handler] :
-       {std::pair{"on_step", &handlers.on_step}, {"on_output", &handlers.on_output}}) {
+       {std::pair{"on_step", &handlers.on_step},
+        {"on_fracture", &handlers.on_fracture},
+        {"on_output", &handlers.on_output},
+        {"stop", &handlers.stop}}) {
     if (!table.push(key)) continue;
     handler->emplace(L, -1);
     lua_pop(L, 1);

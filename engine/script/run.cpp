@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "script/fracture_view.h"
 #include "script/interrupt.h"
 #include "script/lua_error.h"
 #include "script/simulation_view.h"
@@ -79,17 +80,26 @@ void Run::start_output(const RunSettings& settings) {
     output_ = std::make_unique<RunOutput>(simulation, settings.command_line, settings.restart.has_value());
     simulation.on_step.emplace_back([this](Simulation& s) { output_->after_step(s); });
   }
-  if (handlers_.on_step) {
-    simulation.on_step.emplace_back([this](Simulation& s) {
-      if (s.last.step > 0) call_handler(*handlers_.on_step);
+  const auto after_steps = [this](const std::optional<LuaFunction>& handler, auto call) {
+    if (!handler) return;
+    simulation.on_step.emplace_back([call](Simulation& s) {
+      if (s.last.step > 0) call(s);
     });
-  }
+  };
+  after_steps(handlers_.on_fracture, [this](Simulation& s) {
+    if (s.fractures().empty()) return;
+    call_handler(*handlers_.on_fracture, [&s](lua_State* L) { return push_fractures(L, s); });
+  });
+  after_steps(handlers_.on_step, [this](Simulation&) { call_handler(*handlers_.on_step); });
+  after_steps(handlers_.stop, [this](Simulation& s) {
+    if (call_handler(*handlers_.stop)) s.stop();
+  });
   if (!settings.progress) return;
   progress_.emplace(isatty(STDERR_FILENO) == 1);
   simulation.on_step.emplace_back([this](Simulation& s) { progress_->after_step(s); });
 }
 
-void Run::call_handler(const LuaFunction& handler) {
+bool Run::call_handler(const LuaFunction& handler, const std::function<int(lua_State*)>& more) {
   const PhaseScope handling(phase_, Phase::handling);
   const InterruptsHeld let_through(false);
   lua_State* L = handler.state();
@@ -97,7 +107,11 @@ void Run::call_handler(const LuaFunction& handler) {
     luaL_checkstack(L, 4, "a handler");
     handler.push();
     push_simulation(L, self_.lock());
-    protected_call(L, 1, 0);
+    const int own = more ? more(L) : 0;
+    protected_call(L, 1 + own, 1);
+    const bool truth = lua_toboolean(L, -1);
+    lua_pop(L, 1);
+    return truth;
   } catch (const ScriptError& error) {
     if (error.kind != ErrorKind::input) throw;
     throw LawError(error.what());

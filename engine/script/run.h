@@ -1,5 +1,6 @@
 #pragma once
 // One simulation of a script with what goes along: its output, progress, handlers and checks.
+#include <functional>
 #include <lua.hpp>
 #include <memory>
 #include <optional>
@@ -14,7 +15,7 @@
 namespace talus {
 
 struct RunHandlers {
-  std::optional<LuaFunction> on_step, on_output;
+  std::optional<LuaFunction> on_step, on_fracture, on_output, stop;
   std::vector<std::pair<std::string, LuaFunction>> fields;  // output.fields
 };
 
@@ -67,7 +68,8 @@ class Run {
   void start_output(const RunSettings& settings);
   std::uint64_t layout() const;  // of the tables that save() writes
   void check_restart(const Restart& restart) const;
-  void call_handler(const LuaFunction& handler);
+  // Calls it with the simulation and the values that `more` pushes and counts; whether its result is true.
+  bool call_handler(const LuaFunction& handler, const std::function<int(lua_State*)>& more = {});
 
   RunHandlers handlers_;
   std::weak_ptr<Run> self_;

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "script/failure_laws.h"
 #include "script/laws.h"
 #include "script/size_grade.h"
 
@@ -87,6 +88,14 @@ JointProperty read_property(const TableReader& t) {
             p.stiffness_kind);
   t.read("stiffness", p.stiffness);
   t.read("shear_ratio", p.shear_ratio);
+  t.read("breaks", p.breaks);
+  p.residual.friction = p.friction;
+  t.read("residual_friction", p.residual.friction);
+  t.read("residual_cohesion", p.residual.cohesion);
+  t.read("residual_tension", p.residual.tension);
+  t.read("weibull", p.weibull);
+  t.read("seed", p.seed);
+  read_failure_laws(t, p);
   return p;
 }
 
@@ -273,6 +282,13 @@ Scene read_scene(const TableReader& t) {
   });
   t.with("time", [&](const TableReader& e) { s.time = read_time(e); });
   t.with("numerics", [&](const TableReader& e) { s.numerics = read_numerics(e); });
+  t.with("fracture", [&](const TableReader& e) {
+    read_enum(e, "order",
+              {{"critical", FailureOrder::critical}, {"all", FailureOrder::all}, {"one", FailureOrder::one}},
+              s.fracture.order);
+    e.read("band", s.fracture.band);
+    e.read("overshoot", s.fracture.overshoot);
+  });
   t.with("output", [&](const TableReader& e) { s.output = read_output(e); });
   return s;
 }

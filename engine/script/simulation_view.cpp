@@ -7,6 +7,7 @@
 #include "script/lua_error.h"
 #include "script/nearest.h"
 #include "script/saved_view.h"
+#include "script/fracture_view.h"
 #include "script/session.h"
 #include "script/table_view.h"
 #include "step/energy_terms.h"
@@ -50,6 +51,8 @@ void push_status(lua_State* L, const StepReport& report) {
   set_number(L, "residual", report.residual);
   set_number(L, "displacement", report.displacement);
   set_integer(L, "closed_contacts", report.closed_contacts);
+  set_integer(L, "failures", report.failures);
+  set_number(L, "utilisation", report.utilisation);
 }
 
 void push_energy(lua_State* L, Simulation& simulation) {
@@ -70,6 +73,8 @@ void push_totals(lua_State* L, const Simulation& simulation) {
   set_integer(L, "iterations", totals.iterations);
   set_integer(L, "cuts", totals.cuts);
   set_integer(L, "factorisations", totals.factorisations);
+  set_integer(L, "failures", totals.failures);
+  set_number(L, "largest_utilisation", totals.largest_utilisation);
   set_integer(L, "largest_iterations", totals.largest_iterations);
   set_number(L, "largest_residual", totals.largest_residual);
   lua_newtable(L);
@@ -97,6 +102,10 @@ const Property properties[] = {
     {"blocks", [](lua_State* L, const Handle& r) { push_table_view(L, r, ViewKind::blocks); }},
     {"joints", [](lua_State* L, const Handle& r) { push_table_view(L, r, ViewKind::joints); }},
     {"contacts", [](lua_State* L, const Handle& r) { push_table_view(L, r, ViewKind::contacts); }},
+    {"cracks", [](lua_State* L, const Handle& r) { push_cracks(L, r->simulation.model); }},
+    {"fragments", [](lua_State* L, const Handle& r) { push_fragments(L, r->simulation.model); }},
+    {"reactions", [](lua_State* L, const Handle& r) { push_reactions(L, r->simulation); }},
+    {"collapsed", [](lua_State* L, const Handle& r) { lua_pushboolean(L, r->simulation.collapsed()); }},
     {"probes", [](lua_State* L, const Handle& r) { push_table_view(L, r, ViewKind::probes); }},
 };
 

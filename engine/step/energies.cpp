@@ -33,11 +33,14 @@ double strain_energy(const Model& model, const JointTerms& joints, const Support
   return sum + (model.joints.empty() ? 0 : joints.energy(model, ahead)) + supports.energy(model, ahead);
 }
 
+double contact_energy(const Contact& c) {
+  return c.normal_force * c.normal_force / (2 * c.normal_stiffness) +
+         c.shear_force * c.shear_force / (2 * c.shear_stiffness);
+}
+
 double contact_energy(const Model& model) {
   double sum = 0;
-  for (const Contact& c : model.contacts)
-    sum += c.normal_force * c.normal_force / (2 * c.normal_stiffness) +
-           c.shear_force * c.shear_force / (2 * c.shear_stiffness);
+  for (const Contact& c : model.contacts) sum += contact_energy(c);
   return sum;
 }
 

@@ -14,7 +14,8 @@ double kinetic_energy(const Model& model, double ahead);
 // A (½ ε·Dε + σ0·ε) of the blocks, and the potentials of bonds and supports.
 double strain_energy(const Model& model, const JointTerms& joints, const Supports& supports, double ahead);
 
-double contact_energy(const Model& model);  // N²/2kn + T²/2ks
+double contact_energy(const Contact& contact);  // N²/2kn + T²/2ks
+double contact_energy(const Model& model);
 
 double gravity_energy_ahead(const Model& model, double ahead);  // of the way from X to y: -m g·v `ahead`
 

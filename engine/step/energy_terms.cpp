@@ -38,6 +38,8 @@ std::span<const EnergyTerm> energy_terms() {
        with_contacts},
       {"damping", "damping_work", "damping", EnergyTerm::lost, &Energies::damping,
        "taken by the dynamic parameter", [](const Plan& plan) { return plan.damping; }},
+      {"fracture", "fracture_work", "fracture", EnergyTerm::lost, &Energies::fracture, "released by bonds that failed",
+       [](const Plan& plan) { return plan.fracture; }},
       {"numerical", "numerical_loss", "integrator", EnergyTerm::lost, &Energies::numerical,
        "lost to the integrator, by its formula", with_motion},
       {"unexplained", "unexplained_energy", "unexplained", EnergyTerm::rest, &Energies::unexplained,

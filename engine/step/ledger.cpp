@@ -64,14 +64,15 @@ void keep_largest(Ledger& ledger) {
 }  // namespace
 
 void visit_state(Ledger& ledger, StateVisitor& v) {
-  auto& [ahead, gravity_work, external_work, boundary_work, friction_work, damping_work, numerical_flow,
-         start_energy, start_shift, largest_work] = ledger;
+  auto& [ahead, gravity_work, external_work, boundary_work, friction_work, damping_work, fracture_work,
+         numerical_flow, start_energy, start_shift, largest_work] = ledger;
   v("ahead", ahead);
   v("gravity_work", gravity_work);
   v("external_work", external_work);
   v("boundary_work", boundary_work);
   v("friction_work", friction_work);
   v("damping_work", damping_work);
+  v("fracture_work", fracture_work);
   v("numerical_flow", numerical_flow);
   v("start_energy", start_energy);
   v("start_shift", start_shift);
@@ -79,7 +80,7 @@ void visit_state(Ledger& ledger, StateVisitor& v) {
 }
 
 void visit_state(Energies& energies, StateVisitor& v) {
-  auto& [kinetic, strain, contact, gravity, total, external, boundary, friction, damping, numerical, unexplained,
+  auto& [kinetic, strain, contact, gravity, total, external, boundary, friction, damping, fracture, numerical, unexplained,
          scale] = energies;
   for (double* energy : {&kinetic, &strain, &contact, &gravity, &total, &external, &boundary, &friction, &damping,
                          &numerical, &unexplained, &scale})
@@ -187,19 +188,7 @@ void ContactBooking::book_friction(const Model& model, Ledger& ledger) const {
   }
 }
 
-std::vector<LoadStepBooking::Force> LoadStepBooking::forces(const Model& model, double time) {
-  Poses now;
-  now.predict(model, Scheme::equilibrium(0));
-  std::vector<Force> all;
-  each_load(model, now, time, [&](int, const Vec2& at, const Vec2& force) { all.push_back({force, at}); });
-  for (size_t b = 0; b < model.blocks.size(); ++b)
-    all.push_back(
-        {model.shapes[b].area * body_force(model, model.shapes[b].region, 0, time), model.blocks[b].centroid});
-  return all;
-}
-
-// Per fixity: on what it holds by points and edges, and on what its held blocks touch.
-std::vector<Vec2> LoadStepBooking::reactions(const Model& model, const Supports& supports, double time) {
+std::vector<Vec2> support_reactions(const Model& model, const Supports& supports, double time) {
   std::vector<Vec2> sum = supports.reactions(model, time);
   for (const Contact& c : model.contacts) {
     const Vec2 from = model.vertex[c.global_edge];
@@ -212,11 +201,22 @@ std::vector<Vec2> LoadStepBooking::reactions(const Model& model, const Supports&
   return sum;
 }
 
+std::vector<LoadStepBooking::Force> LoadStepBooking::forces(const Model& model, double time) {
+  Poses now;
+  now.predict(model, Scheme::equilibrium(0));
+  std::vector<Force> all;
+  each_load(model, now, time, [&](int, const Vec2& at, const Vec2& force) { all.push_back({force, at}); });
+  for (size_t b = 0; b < model.blocks.size(); ++b)
+    all.push_back(
+        {model.shapes[b].area * body_force(model, model.shapes[b].region, 0, time), model.blocks[b].centroid});
+  return all;
+}
+
 LoadStepBooking::LoadStepBooking(const Model& model, const Supports& supports, double time, bool unloaded)
     : time_(time),
       unloaded_(unloaded),
       forces_(forces(model, unloaded ? model.time : time)),  // unloaded: for their places alone
-      reactions_(reactions(model, supports, time)) {
+      reactions_(support_reactions(model, supports, time)) {
   for (const BlockState& state : model.blocks) centroids_.push_back(state.centroid);
 }
 
@@ -229,7 +229,7 @@ void LoadStepBooking::book(const Model& model, const Supports& supports, Ledger&
     if (model.shapes[b].dofs > 0)
       ledger.gravity_work += (earlier + 1) / 2 * model.mass(int(b)) *
                              model.scene.gravity.dot(model.blocks[b].centroid - centroids_[b]);
-  const std::vector<Vec2> reaction = reactions(model, supports, model.time);
+  const std::vector<Vec2> reaction = support_reactions(model, supports, model.time);
   for (size_t f = 0; f < reaction.size(); ++f) {
     const Fixity& fixity = model.scene.fixities[f];
     const Vec2 moved = fixity_displacement(fixity, model.time) - fixity_displacement(fixity, time_);

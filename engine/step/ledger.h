@@ -22,6 +22,7 @@ struct Ledger {
   double boundary_work = 0;   // moving supports and held blocks
   double friction_work = 0;   // dissipated
   double damping_work = 0;    // taken by the dynamic parameter
+  double fracture_work = 0;   // released by bonds that failed
   double numerical_flow = 0;  // the integrator's loss but for what is read off the state (start_shift)
   double start_energy = 0;    // kinetic and stored, at y
   double start_shift = 0;     // strain and gravity energy at y less those at X
@@ -34,7 +35,7 @@ struct Energies {
   double kinetic = 0, strain = 0, contact = 0, gravity = 0;  // stored; gravity: since the start
   double total = 0;                                          // their sum
   double external = 0, boundary = 0;                         // put in since the start
-  double friction = 0, damping = 0, numerical = 0;           // lost since the start
+  double friction = 0, damping = 0, fracture = 0, numerical = 0;  // lost since the start
   double unexplained = 0;                                    // total - start - put in + lost
   double scale = 0;  // the larger of kinetic and stored energy at the start and the largest work put in
 };
@@ -71,6 +72,9 @@ class ContactBooking {
   std::vector<Before> before_;
 };
 
+// N/m per fixity at `time`: on what it holds by points and edges, and on what its held blocks touch.
+std::vector<Vec2> support_reactions(const Model& model, const Supports& supports, double time);
+
 // A load step of a static run: forces grow linearly over it, from nothing before the first.
 class LoadStepBooking {
  public:
@@ -82,7 +86,6 @@ class LoadStepBooking {
     Vec2 force, place;  // N/m, m
   };
   static std::vector<Force> forces(const Model& model, double time);
-  static std::vector<Vec2> reactions(const Model& model, const Supports& supports, double time);
   double time_;
   bool unloaded_;
   std::vector<Force> forces_;

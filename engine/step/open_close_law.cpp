@@ -120,7 +120,10 @@ void OpenClose::store(Model& model, const ContactTerms& contacts) const {
     contact.slip = contact.state == ContactState::open ? 0 : contact.slip + (trial - contact.shear_force) / rows[k].ks;
     contact.stretch = contact.shear_force / rows[k].ks;
     contact.gap = gap_[k] - contact.offset;
-    contact.offset = std::clamp(-contact.gap, 0.0, contact.offset);  // shrinks as the bodies separate
+    if (contact.offset > 0)
+      contact.offset = std::clamp(-contact.gap, 0.0, contact.offset);  // shrinks as the bodies separate
+    else if (gap_[k] > 0)
+      contact.offset = 0;  // what a bond was pressed with is gone
   }
 }
 

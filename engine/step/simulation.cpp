@@ -1,6 +1,7 @@
 #include "step/simulation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "equations/recovery.h"
 #include "model/registry.h"
@@ -13,7 +14,7 @@ namespace talus {
 void visit_state(RunTotals& totals, StateVisitor& v) {
   // parts: CPU time is the process's.
   [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, sweeps, steps_at_rest, steps_by_sweeps,
-                          largest_iterations, largest_residual, parts] = totals;
+                          failures, largest_iterations, largest_utilisation, largest_residual, parts] = totals;
   v("steps", steps);
   v("iterations", iterations);
   v("cuts", cuts);
@@ -21,12 +22,15 @@ void visit_state(RunTotals& totals, StateVisitor& v) {
   v("sweeps", sweeps);
   v("steps_at_rest", steps_at_rest);
   v("steps_by_sweeps", steps_by_sweeps);
+  v("failures", failures);
   v("largest_iterations", largest_iterations);
+  v("largest_utilisation", largest_utilisation);
   v("largest_residual", largest_residual);
 }
 
 void visit_state(StepReport& report, StateVisitor& v) {
-  auto& [step, time, dt, iterations, cuts, factorisations, residual, displacement, closed_contacts] = report;
+  auto& [step, time, dt, iterations, cuts, factorisations, residual, displacement, closed_contacts, failures, utilisation,
+         collapsed] = report;
   v("step", step);
   v("time", time);
   v("dt", dt);
@@ -36,6 +40,9 @@ void visit_state(StepReport& report, StateVisitor& v) {
   v("residual", residual);
   v("displacement", displacement);
   v("closed_contacts", closed_contacts);
+  v("failures", failures);
+  v("utilisation", utilisation);
+  v("collapsed", collapsed);
 }
 
 double& RunTotals::seconds(const std::string& part) {
@@ -58,16 +65,15 @@ Simulation::Simulation(Scene scene) {
 Simulation::~Simulation() = default;
 
 StepReport Simulation::step() {
-  const TimeControl& time = model.scene.time;
   begin();
-  if (plan.dynamic) {
-    last = stepper_->dynamic_step();
-  } else {
-    const double from = model.time;
-    model.time = time.t_end * double(totals.steps + 1) / time.steps;
-    last = stepper_->load_step(from, totals.steps == 0);
-  }
+  last = plan.dynamic ? stepper_->dynamic_step() : stepper_->load_step(next_load(), totals.steps == 0);
   ++totals.steps;
+  totals.failures += last.failures;
+  totals.largest_utilisation = std::max(totals.largest_utilisation, last.utilisation);
+  if (last.collapsed) {
+    collapsed_ = true;
+    notes.push_back(stepper_->collapse_note());
+  }
   totals.largest_residual = std::max(totals.largest_residual, last.residual);
   last.step = totals.steps;
   last.time = model.time;
@@ -77,9 +83,25 @@ StepReport Simulation::step() {
   return last;
 }
 
+// Load steps are even parts of t_end; bonds that fail, and increments cut short because one will, come between.
+double Simulation::next_load() const {
+  const TimeControl& time = model.scene.time;
+  if (time.t_end == 0) return 0;
+  const double done = model.time / time.t_end * time.steps;
+  return time.t_end * std::min((std::floor(done + 1e-9) + 1) / time.steps, 1.0);
+}
+
 void Simulation::begin() {
   if (begun_) return;
-  if (plan.dynamic && model.scene.time.settled_start) settle();
+  const bool settled = plan.dynamic && model.scene.time.settled_start;
+  if (settled) settle();
+  if (plan.fracture)
+    for (int count = stepper_->initial_cracks(); count > 0; count = stepper_->initial_cracks()) {
+      totals.failures += count;
+      if (settled) settle();
+    }
+  if (totals.failures > 0)
+    notes.push_back(std::to_string(totals.failures) + " bonds are beyond their strength at the start: they begin as cracks");
   stepper_->begin_ledger();
   begun_ = true;
 }
@@ -141,9 +163,13 @@ std::uint64_t Simulation::layout() const {
 
 bool Simulation::finished() const {
   const TimeControl& time = model.scene.time;
-  if (stopped_ || (time.max_steps > 0 && totals.steps >= time.max_steps)) return true;
-  return plan.dynamic ? model.time >= time.t_end : totals.steps >= time.steps;
+  if (stopped_ || collapsed_ || (time.max_steps > 0 && totals.steps >= time.max_steps)) return true;
+  if (plan.dynamic) return model.time >= time.t_end;
+  if (time.t_end == 0) return totals.steps >= time.steps;
+  return totals.steps > 0 && model.time >= time.t_end && !stepper_->bonds_due();
 }
+
+const std::vector<int>& Simulation::fractures() const { return stepper_->fractures(); }
 
 Energies Simulation::energies() const { return stepper_->energies(); }
 

@@ -24,6 +24,9 @@ struct StepReport {
   double residual = 0;       // contact residual / force scale, at acceptance
   double displacement = 0;   // m, largest of any vertex
   int closed_contacts = 0;
+  int failures = 0;          // bonds that failed in this step
+  double utilisation = 0;    // highest of the bonds, before any failed
+  bool collapsed = false;    // static: no equilibrium at this load; nothing was moved
 };
 
 struct RunTotals {
@@ -31,7 +34,9 @@ struct RunTotals {
   long sweeps = 0;          // over the contacts
   long steps_at_rest = 0;   // in which nothing moved: not solved
   long steps_by_sweeps = 0; // solved without a factor
+  long failures = 0;         // of bonds
   int largest_iterations = 0;
+  double largest_utilisation = 0;  // of a bond, when it was judged: how far strengths were passed
   double largest_residual = 0;
   struct Part { std::string name; double seconds = 0; };  // CPU seconds
   std::vector<Part> parts;
@@ -55,6 +60,10 @@ class Simulation {
   bool finished() const;   // t_end, the static load steps, or max_steps reached, or stop() called
   void stop() { stopped_ = true; }
   bool begun() const { return begun_; }
+  bool collapsed() const { return collapsed_; }  // a static run has reached a load that nothing holds
+
+  // Joints that failed in the last step.
+  const std::vector<int>& fractures() const;
 
   // The state between two steps. restore() continues from it bit by bit; it throws StateError and leaves
   // everything as it was when `state` is not of this scene.
@@ -88,7 +97,8 @@ class Simulation {
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<Recovery> recovery_;
   long recovered_step_ = -1;
-  bool begun_ = false, stopped_ = false;
+  double next_load() const;  // s, to which the next load step goes
+  bool begun_ = false, stopped_ = false, collapsed_ = false;
 };
 
 }  // namespace talus

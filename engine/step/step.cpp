@@ -28,8 +28,8 @@ constexpr int release_iterations = 40;
 class Attempt {
  public:
   // `contacts`: where those of the model are kept meanwhile, the same memory for every attempt.
-  Attempt(Model& model, const Plan& plan, Ledger& ledger, std::vector<Contact>& contacts)
-      : model_(model), ledger_(ledger), before_(ledger), contacts_(contacts) {
+  Attempt(Model& model, const Plan& plan, Ledger& ledger, std::vector<Contact>& contacts, Fracture* fracture)
+      : model_(model), ledger_(ledger), before_(ledger), contacts_(contacts), fracture_(fracture) {
     if (plan.contacts) contacts_ = model.contacts;
     if (!plan.held_blocks) return;
     for (size_t b = 0; b < model.shapes.size(); ++b)
@@ -39,33 +39,30 @@ class Attempt {
     if (kept_) return;
     model_.contacts.swap(contacts_);
     ledger_ = before_;
+    if (fracture_) fracture_->heal();
     for (const auto& [block, velocity] : held_) model_.blocks[block].velocity = velocity;
   }
   Attempt(const Attempt&) = delete;
   Attempt& operator=(const Attempt&) = delete;
   void keep() { kept_ = true; }
+  void again() { model_.contacts = contacts_; }  // the same step, with the bonds that have failed in it
 
  private:
   Model& model_;
   Ledger& ledger_;
   const Ledger before_;
   std::vector<Contact>& contacts_;
+  Fracture* fracture_;
   std::vector<std::pair<size_t, std::array<double, max_dofs>>> held_;
   bool kept_ = false;
 };
 
-std::string block_name(const Model& model, int block) {
-  char text[160];
-  const Vec2 at = model.blocks[block].centroid + model.origin;
-  std::snprintf(text, sizeof text, "block %d (region \"%s\", at (%.6g, %.6g))", block + 1,
-                model.scene.regions[model.shapes[block].region].name.c_str(), at.x(), at.y());
-  return text;
-}
-
 }  // namespace
 
 Stepper::Stepper(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledger)
-    : model_(model), plan_(plan), totals_(totals), ledger_(ledger), step_size_(model, plan.contacts) {}
+    : model_(model), plan_(plan), totals_(totals), ledger_(ledger), step_size_(model, plan.contacts) {
+  if (plan.fracture) fracture_ = std::make_unique<Fracture>(model);
+}
 
 Scheme Stepper::scheme(double dt) const {
   const Numerics& numerics = model_.scene.numerics;
@@ -75,37 +72,44 @@ Scheme Stepper::scheme(double dt) const {
 StepReport Stepper::dynamic_step() {
   const Numerics& numerics = model_.scene.numerics;
   StepReport report;
+  if (fracture_) fracture_->clear_events();
   for (double dt = step_size_.next(model_.time);; dt = step_size_.next(model_.time), ++report.cuts) {
-    Attempt attempt(model_, plan_, ledger_, contacts_before_);
+    Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
     // 1. Loads, fixities and prescribed motions belong to this step's times; see Scheme.
     const Scheme scheme = this->scheme(dt);
     if (plan_.held_blocks) move_held_blocks(model_, dt);
 
-    // 2. Candidate pairs of vertices and edges, with the state of those that go on.
-    if (plan_.contacts) {
-      PartTimer timer(totals_, "contact search");
-      search_.update(model_, dt);
-    }
-
-    // 3. Open–close: everything linear once, then contacts until their law is met.
     Vector d;
     OpenCloseResult result;
-    double nearness = 1;
-    do {  // again with more of the candidates where one presses that was not expected to
-      assemble(scheme, false, nearness);
-      if (on_assembled) on_assembled(scheme, system_, contacts_);
-      result = rests(dt) ? stay(d) : solve(true, d);
-      nearness *= 8;
-    } while (result.missed);
-    report.iterations = result.iterations;
-    report.residual = result.residual;
-
-    // 4. Not settled, or moved too far: everything as it was; again with a smaller step.
     std::vector<BlockState> moved;
-    if (result.converged) {
+    double released = 0;  // J/m, by bonds that fail in this step
+    for (;; attempt.again()) {
+      // 2. Candidate pairs of vertices and edges, with the state of those that go on.
+      if (plan_.contacts) {
+        PartTimer timer(totals_, "contact search");
+        search_.update(model_, dt);
+      }
+      if (fracture_) released = released_energy();
+
+      // 3. Open–close: everything linear once, then contacts until their law is met.
+      double nearness = 1;
+      do {  // again with more of the candidates where one presses that was not expected to
+        assemble(scheme, false, nearness);
+        if (on_assembled) on_assembled(scheme, system_, contacts_);
+        result = rests(dt) ? stay(d) : solve(true, d);
+        nearness *= 8;
+      } while (result.missed);
+      report.iterations = result.iterations;
+      report.residual = result.residual;
+      if (!result.converged) break;
       moved = moved_blocks(model_, scheme, d);
       report.displacement = largest_displacement(model_, moved);
+
+      // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
+      if (!fracture_ || step_size_.too_far(report.displacement) || !breaks(moved, model_.time + dt, report)) break;
     }
+
+    // 5. Not settled, or moved too far: everything as it was; again with a smaller step.
     if (!result.converged || step_size_.too_far(report.displacement)) {
       step_size_.cut(dt, result.converged ? report.displacement : 0);
       if (step_size_.next(model_.time) < step_size_.least()) give_up(result, dt);
@@ -113,9 +117,14 @@ StepReport Stepper::dynamic_step() {
       continue;
     }
 
-    // 5. The step is accepted: geometry, velocities, contact and joint states.
+    // 6. The step is accepted: geometry, velocities, contact and joint states.
     accept(std::move(moved), scheme, d);
     attempt.keep();
+    if (fracture_) {
+      ledger_.fracture_work += released;
+      fracture_->weaken();
+      report.failures = int(fracture_->events().size());
+    }
     if (numerics.integrator == Integrator::newmark && numerics.dynamic_parameter < 1) {
       ledger_.damping_work += (1 - numerics.dynamic_parameter * numerics.dynamic_parameter) * kinetic_energy(model_, 0);
       for (BlockState& state : model_.blocks)
@@ -127,23 +136,6 @@ StepReport Stepper::dynamic_step() {
     report.dt = dt;
     return report;
   }
-}
-
-StepReport Stepper::load_step(double from, bool first) {
-  prepare_bonds();
-  const LoadStepBooking booking(model_, supports_, from, first);
-  const StepReport report = equilibrium(false);
-  booking.book(model_, supports_, ledger_);
-  return report;
-}
-
-StepReport Stepper::equilibrium(bool stick) {
-  Equilibrium search;
-  if (find_equilibrium(stick, 0, equilibrium_iterations, search)) return search.report;
-  if (search.last.singular_block >= 0) give_up(search.last, 0);
-  throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: " +
-                 block_name(model_, culprit(search)) +
-                 " keeps moving. Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic");
 }
 
 std::string Stepper::settle() {
@@ -172,12 +164,56 @@ std::string Stepper::settle() {
 void Stepper::visit_state(StateVisitor& visitor) {
   visitor("step_size", step_size_);
   visitor("contact_search", search_);
+  visitor("load_increment", load_increment_);
 }
 
 void Stepper::restored() {
   revision_ = -1;
   search_.forget();
+  if (fracture_) fracture_->restored();
 }
+
+const std::vector<int>& Stepper::fractures() const {
+  static const std::vector<int> none;
+  return fracture_ ? fracture_->events() : none;
+}
+
+int Stepper::initial_cracks() {
+  prepare_bonds();
+  joints_.store_tractions(model_);
+  fracture_->judge();
+  const std::vector<int> due = fracture_->choose(false);
+  fracture_->fail(due, model_.time);
+  return int(due.size());
+}
+
+// Whether bonds fail where the step leads; it is then to be taken again. `moved` is only lent to the model.
+bool Stepper::breaks(std::vector<BlockState>& moved, double time, StepReport& report) {
+  PartTimer timer(totals_, "fracture");
+  model_.blocks.swap(moved);
+  joints_.store_tractions(model_);
+  report.utilisation = std::max(report.utilisation, fracture_->judge());
+  model_.blocks.swap(moved);
+  const std::vector<int> due = fracture_->choose(true);
+  if (due.empty()) return false;
+  joints_.store_tractions(model_);
+  fracture_->fail(due, time);
+  return true;
+}
+
+// What bonds that have failed in this step stored at its start, less what the contacts that take over begin with.
+double Stepper::released_energy() const {
+  double sum = 0;
+  for (const int j : fracture_->events()) sum += joints_.energy_of(model_, j, ledger_.ahead);
+  if (sum == 0) return 0;
+  const auto& events = fracture_->events();
+  for (const Contact& c : model_.contacts)
+    if (c.joint >= 0 && std::find(events.begin(), events.end(), c.joint) != events.end())
+      sum -= contact_energy(c);
+  return sum;
+}
+
+bool Stepper::balance(Equilibrium& search) { return find_equilibrium(false, 0, equilibrium_iterations, search); }
 
 bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search) {
   auto& [report, result, d] = search;
@@ -229,7 +265,8 @@ void Stepper::assemble(const Scheme& scheme, bool stick, double nearness) {
   PartTimer timer(totals_, "assembly");
   prepare_bonds();
   std::vector<std::pair<int, int>> pairs;
-  for (const Joint& joint : model_.joints) pairs.push_back({joint.a, joint.b});
+  for (const Joint& joint : model_.joints)  // failed ones too: the pattern outlives a crack
+    if (joint.bonded) pairs.push_back({joint.a, joint.b});
   poses_.predict(model_, scheme);
   if (plan_.contacts) contacts_.linearise(model_, poses_, scheme, stick, nearness);
   for (const ContactRows& row : contacts_.rows())
@@ -298,7 +335,12 @@ void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const 
       booking.book_friction(model_, ledger_);
   }
   ledger_.ahead = scheme.bond_ahead;
-  if (plan_.bonds) joints_.store_tractions(model_);
+  if (plan_.bonds && (!motion || !fracture_)) joints_.store_tractions(model_);  // else they are, to be judged
+}
+
+std::vector<Vec2> Stepper::reactions() {
+  prepare_bonds();
+  return support_reactions(model_, supports_, model_.time);
 }
 
 void Stepper::begin_ledger() {
@@ -322,13 +364,21 @@ Energies Stepper::energies() {
   e.boundary = ledger_.boundary_work;
   e.friction = ledger_.friction_work;
   e.damping = ledger_.damping_work;
+  e.fracture = ledger_.fracture_work;
   double shift = gravity_ahead;  // at y less at X: part of the integrator's loss that needs no booking
   if (ahead != 0)
     shift += e.strain - strain_energy(model_, joints_, supports_, 0) + e.kinetic - kinetic_energy(model_, 0);
   e.numerical = ledger_.numerical_flow - (shift - ledger_.start_shift);
-  e.unexplained = e.total - ledger_.start_energy - e.external - e.boundary + e.friction + e.damping + e.numerical;
+  e.unexplained = e.total - ledger_.start_energy - e.external - e.boundary + e.friction + e.damping + e.fracture + e.numerical;
   e.scale = std::max(ledger_.start_energy, ledger_.largest_work);
   return e;
+}
+
+void Stepper::give_up(const Equilibrium& search) const {
+  if (search.last.singular_block >= 0) give_up(search.last, 0);
+  throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: " +
+                 block_name(model_, culprit(search)) +
+                 " keeps moving. Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic");
 }
 
 void Stepper::give_up(const OpenCloseResult& result, double dt) const {

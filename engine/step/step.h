@@ -1,12 +1,15 @@
 #pragma once
 // One step of the simulation, and equilibrium.
 #include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "contact/detection.h"
 #include "equations/contact_terms.h"
 #include "equations/joint_terms.h"
 #include "equations/linear_solver.h"
+#include "fracture/fracture.h"
 #include "model/state_visitor.h"
 #include "scene/plan.h"
 #include "step/energies.h"
@@ -24,11 +27,19 @@ class Stepper {
   // One accepted step from model.time. Throws RunError when none can be accepted at the least time step; the model
   // is then as it was.
   StepReport dynamic_step();
-  // Equilibrium under the loads of model.time; those of the step before were of `from`, `first`: there were none.
-  StepReport load_step(double from, bool first);
+  // Static (step/load_step.cpp): equilibrium under the loads of a later time, `to` at most, or under the same load after
+  // the bonds that the last step overstressed have failed. `first`: nothing was loaded before.
+  StepReport load_step(double to, bool first);
+  std::string collapse_note() const;  // of a load step that found no equilibrium
+  // Bonds beyond their strength before the first step fail. How many did.
+  int initial_cracks();
+  bool bonds_due() const { return fracture_ && !fracture_->choose(false).empty(); }
+  const std::vector<int>& fractures() const;  // joints that failed in the last step
   // The start of a settled run: equilibrium with friction where there is one, else that in which nothing slides.
   // What is to be said to the user where there is neither, and nothing has moved.
   std::string settle();
+
+  std::vector<Vec2> reactions();  // N/m per fixity, on what it holds
 
   void begin_ledger();  // the energies since the present state
   Energies energies();
@@ -42,13 +53,18 @@ class Stepper {
  private:
   Scheme scheme(double dt) const;
   void prepare_bonds();
-  StepReport equilibrium(bool stick);
   struct Equilibrium {
     StepReport report;
     OpenCloseResult last;
     Vector d;  // m, last displacements
   };
   bool find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search);
+  bool balance(Equilibrium& search);
+  StepReport raise_load(double to, bool first);
+  StepReport break_bonds(const std::vector<int>& due);
+  [[noreturn]] void give_up(const Equilibrium& search) const;
+  bool breaks(std::vector<BlockState>& moved, double time, StepReport& report);
+  double released_energy() const;
   OpenCloseResult solve(bool motion, Vector& d);
   bool rests(double dt);
   OpenCloseResult stay(Vector& d);
@@ -71,6 +87,9 @@ class Stepper {
   System system_;
   LinearSolver solver_;
   OpenClose open_close_;
+  std::unique_ptr<Fracture> fracture_;  // where bonds can fail
+  double load_increment_ = 0;           // s, of the next load step; 0: all of it
+  std::string collapse_;
   long revision_ = -1;
 };
 

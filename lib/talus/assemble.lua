@@ -233,7 +233,10 @@ local function assemble(simulation)
   scene.numerics = numerics_of(given(simulation, "numerics") or profile.presets.default)
   scene.output = output_of(given(simulation, "output"), simulation)
   scene.fields = fields_of(given(simulation, "output"))
-  scene.on_step, scene.on_output = given(simulation, "on_step"), given(simulation, "on_output")
+  if given(simulation, "fracture") then
+    scene.fracture = flatten.fields(given(simulation, "fracture"), { "order", "band", "overshoot" })
+  end
+  for _, name in ipairs { "on_step", "on_fracture", "on_output", "stop" } do scene[name] = given(simulation, name) end
   return assembly
 end
 

@@ -3,6 +3,7 @@
 local object = require "talus.object"
 local places = require "talus.places"
 local profile = require "talus.profile"
+local laws = require "talus.fracture_laws"
 local get, given = object.get, object.given
 
 local flatten = {}
@@ -26,6 +27,7 @@ function flatten.joint(joint, name, chosen, young)
   for _, field in ipairs { "friction", "cohesion", "tension", "bond", "penalty", "shear_ratio" } do
     flat[field] = profile.joint_value(joint, field, chosen)
   end
+  laws.flatten(joint, flat)
   local stiffness = profile.joint_value(joint, "stiffness", chosen)
   if type(stiffness) == "number" then
     flat.stiffness_kind, flat.stiffness = "length", stiffness

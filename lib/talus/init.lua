@@ -30,6 +30,11 @@ for _, kind in ipairs { "material", "joint", "trace", "joint_set", "fix", "point
   talus[kind] = function(fields) return object.new(kind, fields) end
 end
 
+local laws = { hoek_brown = require("talus.fracture_laws").hoek_brown }
+for _, kind in ipairs { "softening", "slip_weakening", "barton_bandis", "weibull" } do
+  laws[kind] = function(fields) return object.new(kind, fields) end
+end
+
 function talus.region(fields)
   local region = object.new("region", fields)
   shape_types.try_size(region)
@@ -40,6 +45,7 @@ for name, shape in pairs(require "talus.shapes") do talus[name] = shape end
 talus.simulation = require "talus.simulation"
 talus.param = require "talus.param"
 talus.units = closed("talus.units", require("talus.units").units)
+talus.laws = closed("talus.laws", laws)
 talus.check = closed("talus.check", require "talus.check")
 talus.profile = closed("talus.profile", require("talus.profile").presets)
 

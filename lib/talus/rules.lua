@@ -44,6 +44,16 @@ function rules.stiffness(values, bad)
   end
 end
 
+local laws = require "talus.fracture_laws"
+
+function rules.joint(values, bad)
+  if values.residual and values.reduction then bad(nil, "residual or reduction", "both") end
+  laws.check_residual(values, values.residual, "residual", bad)
+  laws.check_residual(values, laws.residual_of(values.reduction), "reduction.residual", bad)
+  laws.try_criterion(values, bad)
+  laws.try_reduction(values, bad)
+end
+
 function rules.joint_set(values, bad)
   if values.persistence and values.persistence < 1 and not values.trace_length then
     bad("trace_length", "a number > 0 (m), as persistence < 1", "nothing")

@@ -195,6 +195,7 @@ TEST(Picture, MagnificationIsSaidAndApplied) {
 TEST(Picture, MarksFixitiesLoadsAndFailedJoints) {
   Model model = two_squares();
   model.joints[0].state = JointState::failed;
+  model.joints[0].mode = FailureMode::tension;
   model.scene.fixities.resize(1);
   model.point_fixities = {{.fixity = 0, .block = 0, .in_block = {-0.5, -0.5}, .stiffness = 1}};
   PointLoad load;
@@ -206,7 +207,7 @@ TEST(Picture, MarksFixitiesLoadsAndFailedJoints) {
   const std::string svg = picture(model);
   EXPECT_EQ(count(svg, "5 kN/m"), 1);
   EXPECT_EQ(count(svg, "fill=\"#111\""), 1);
-  EXPECT_TRUE(has(svg, "1 failed joint (black)"));
+  EXPECT_TRUE(has(svg, "1 failed in tension (black)"));
   model.scene.fixities[0].held = {true, false};
   model.scene.point_loads[0].force = {History(0), History(0)};
   const std::string other = picture(model);

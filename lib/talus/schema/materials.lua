@@ -18,8 +18,8 @@ return {
   {
     kind = "joint", call = "talus.joint",
     doc = "Properties of an interface: of the bonds between the blocks of a region and of contacts. Bonded, it"
-        .. " carries "
-      .. "tension and shear up to its strength; broken or never bonded, it is a contact with friction.",
+        .. " carries tension and shear up to its strength; bonds of a joint that gives neither `tension` nor `cohesion`"
+        .. " never fail. Broken or never bonded, it is a contact with friction.",
     fields = {
       { name = "name", type = "string", default_doc = "`joint 1`, …", doc = "for output and `sim:joint(name)`" },
       { name = "friction", type = "number", least = 0, below = math.pi/2, unit = "rad", default = math.pi/6,
@@ -27,6 +27,21 @@ return {
       { name = "cohesion", type = "number", least = 0, unit = "Pa", default = 0, live = true, doc = "cohesion" },
       { name = "tension", type = "number", least = 0, unit = "Pa", default = 0, live = true,
         doc = "tensile strength" },
+      { name = "residual", type = "object", kinds = { "residual" }, inline = true,
+        default_doc = "friction kept, cohesion 0.05 MPa (or the joint's own, if less), no tension",
+        doc = "what a failed bond still carries, at once", source = "Ning et al. 2011" },
+      { name = "reduction", type = "any",
+        of = { { type = "function" },
+               { type = "object", kinds = { "softening", "slip_weakening", "barton_bandis" } } },
+        doc = "instead of residual: a `talus.laws`, or `function(intact, slip, opening, normal)` that returns what a failed"
+          .. " bond still carries, `{ friction = …, cohesion = …, tension = … }`, after the largest slip and opening so far"
+          .. " (m) under the normal traction (Pa); a field left out is 0, friction that of `intact`" },
+      { name = "criterion", type = "function",
+        default_doc = "maximum tension and Mohr–Coulomb on the mean traction of the edge",
+        doc = "`function(t)` that returns how far a bond's strength is used; it fails at 1. `t` has the tractions `normal`"
+          .. " (tension positive) and `shear`, and the strengths `tension`, `cohesion` (Pa), `friction` (rad). Best in"
+          .. " proportion to the traction: static load increments are found by it", source = "Ning et al. 2011, eq. 1–2" },
+      { name = "scatter", type = "object", kinds = { "weibull" }, doc = "of the strength from bond to bond" },
       { name = "bond", type = "enum", values = { "exact", "spring" }, default = "exact",
         doc = "how intact bonds are held: `exact` (consistent flux plus penalty, no joint compliance) or `spring` "
           .. "(springs at the ends of an edge)", source = "exact: Nitsche 1971; spring: Ning et al. 2011" },
@@ -41,6 +56,57 @@ return {
             source = "stiff against a block and harmless to the condition; per contact: Shi 1988" },
       { name = "shear_ratio", type = "number", above = 0, most = 10, default = 0.4, live = true,
         doc = "shear stiffness / normal stiffness", source = "Shi 1988: 1/2.5" },
+    },
+  },
+  {
+    kind = "residual", call = "", doc = "What a failed bond still carries.",
+    fields = {
+      { name = "friction", type = "number", least = 0, below = math.pi/2, unit = "rad",
+        default_doc = "that of the joint", doc = "friction angle" },
+      { name = "cohesion", type = "number", least = 0, unit = "Pa", default_doc = "0.05 MPa, or the joint's own if less",
+        doc = "for the roughness of the crack" },
+      { name = "tension", type = "number", least = 0, unit = "Pa", default = 0, doc = "tensile strength" },
+    },
+  },
+  {
+    kind = "softening", call = "talus.laws.softening",
+    doc = "A failed bond softens as it opens and slides: with r² = (opening/δ_I)² + (slip/δ_II)² tension and cohesion fall"
+      .. " to the part 1 - r (linear) or exp(-r) (exponential) of what they were above the residual; δ follows from the"
+      .. " fracture energies.",
+    fields = {
+      { name = "shape", type = "enum", values = { "linear", "exponential" }, default = "linear", doc = "of the curve" },
+      { name = "G_I", type = "number", above = 0, unit = "J/m2", required = true, doc = "fracture energy in tension" },
+      { name = "G_II", type = "number", above = 0, unit = "J/m2", default_doc = "as G_I",
+        doc = "fracture energy in shear, above residual cohesion and friction" },
+      { name = "residual", type = "object", kinds = { "residual" }, inline = true, default_doc = "as for a joint",
+        doc = "what is left in the end" },
+    },
+  },
+  {
+    kind = "slip_weakening", call = "talus.laws.slip_weakening",
+    doc = "A failed bond loses its tension at once; cohesion and friction fall linearly with slip.",
+    fields = {
+      { name = "distance", type = "number", above = 0, unit = "m", required = true, doc = "slip at which the residual is reached" },
+      { name = "residual", type = "object", kinds = { "residual" }, inline = true, default_doc = "as for a joint",
+        doc = "what is left in the end" },
+    },
+  },
+  {
+    kind = "barton_bandis", call = "talus.laws.barton_bandis",
+    doc = "A rough crack: friction angle φ_r + JRC log10(JCS/σ_n) under the normal pressure σ_n, no cohesion, no tension.",
+    fields = {
+      { name = "jrc", type = "number", least = 0, most = 20, required = true, doc = "joint roughness coefficient" },
+      { name = "jcs", type = "number", above = 0, unit = "Pa", required = true, doc = "joint wall compressive strength" },
+      { name = "friction", type = "number", least = 0, below = math.pi/2, unit = "rad", default_doc = "that of the joint",
+        doc = "residual friction angle φ_r" },
+    },
+  },
+  {
+    kind = "weibull", call = "talus.laws.weibull",
+    doc = "Strengths of bonds scattered by Weibull's distribution about those of the joint, their mean.",
+    fields = {
+      { name = "modulus", type = "number", least = 1, most = 1000, required = true, doc = "shape; scatter about 1.2/modulus" },
+      { name = "seed", type = "integer", least = 0, most = 4294967295, default = 1, doc = "the same seed gives the same strengths" },
     },
   },
   {

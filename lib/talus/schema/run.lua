@@ -28,9 +28,17 @@ return {
         doc = "how far and how" },
       { name = "numerics", type = "object", kinds = { "numerics" }, inline = true,
         default_doc = "`talus.profile.default`", doc = "choices of method" },
+      { name = "fracture", type = "object", kinds = { "fracture" }, inline = true, default_doc = "its defaults",
+        doc = "how bonds fail" },
       { name = "output", type = "object", kinds = { "output" }, inline = true, default_doc = "nothing is written",
         doc = "what is written" },
       { name = "on_step", type = "function", doc = "`function(sim)`, called once after each accepted step" },
+      { name = "on_fracture", type = "function",
+        doc = "`function(sim, cracks)`, called after a step in which bonds failed, before on_step: a list of `{ joint, mode ="
+          .. " \"tension\" or \"shear\", kind = \"initiated\", \"propagated\" or \"coalesced\", x, y, length, time, normal, shear,"
+          .. " utilisation }`, tractions in Pa" },
+      { name = "stop", type = "function",
+        doc = "`function(sim)`, called after each accepted step, after on_step: the run ends where it returns true" },
       { name = "on_output", type = "function",
         doc = "`function(sim)`, called after each output time was written" },
       { name = "max_blocks", type = "integer", least = 1, default = 200000,
@@ -45,7 +53,8 @@ return {
       { name = "t_end", type = "number", least = 0, unit = "s", default = 1,
         default_doc = "static: 1; dynamic: required",
         doc = "end; static: load histories run from 0 to it, and velocities of a `fix` act so long" },
-      { name = "steps", type = "integer", least = 1, most = 1000000, default = 1, doc = "static: load steps" },
+      { name = "steps", type = "integer", least = 1, most = 1000000, default = 1,
+        doc = "static: load steps; where bonds can fail more are put between them" },
       { name = "dt", type = "number", above = 0, unit = "s", default_doc = "automatic", doc = "fixed time step" },
       { name = "dt_min", type = "number", above = 0, unit = "s", default_doc = "1e-6 of the first step",
         doc = "least step; below it the run stops with an error" },
@@ -81,6 +90,18 @@ return {
         doc = "threads of the linear solver" },
       { name = "recovery", type = "boolean", default = true,
         doc = "smoothed stress for output and probes, beside the raw one" },
+    },
+  },
+  {
+    kind = "fracture", call = "", doc = "How bonds fail that have reached their strength.",
+    fields = {
+      { name = "order", type = "enum", values = { "critical", "all", "one" }, default = "critical",
+        doc = "which fail before the others are judged anew under the same load: the most critical with those within `band`"
+          .. " of it, all, or the most critical alone. In motion a bond waits only for those it shares a corner with" },
+      { name = "band", type = "number", least = 0, below = 1, default = 0.05,
+        doc = "part of the highest utilisation" },
+      { name = "overshoot", type = "number", above = 0, most = 1, default = 0.01,
+        doc = "static: part of its strength by which an increment of load may overload the first bond" },
     },
   },
   {

@@ -1,0 +1,106 @@
+#include "fracture/cracks.h"
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace talus {
+
+namespace {
+
+class Sets {  // disjoint; a set is named by its least member
+ public:
+  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int root(int k) {
+    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+    return k;
+  }
+  void join(int a, int b) {
+    const auto [low, high] = std::minmax({root(a), root(b)});
+    parent_[high] = low;
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+// 0, 1, … in order of first appearance; those without a set keep -1.
+std::vector<int> counted(std::vector<int> set) {
+  std::vector<int> number(set.size(), -1);
+  int next = 0;
+  for (int& s : set) {
+    if (s < 0) continue;
+    if (number[s] < 0) number[s] = next++;
+    s = number[s];
+  }
+  return set;
+}
+
+}  // namespace
+
+std::vector<int> cracks_at_nodes(const Model& model) {
+  std::vector<int> crack(model.nodes.position.size(), -1);
+  Sets sets(crack.size());
+  for (const Joint& joint : model.joints)
+    if (joint.state == JointState::failed) sets.join(joint.node[0], joint.node[1]);
+  for (const Joint& joint : model.joints)
+    if (joint.state == JointState::failed)
+      for (const int node : joint.node) crack[node] = sets.root(node);
+  return counted(std::move(crack));
+}
+
+const char* failure_word(FailureMode mode) {
+  return mode == FailureMode::none ? "none" : mode == FailureMode::tension ? "tension" : "shear";
+}
+
+const char* crack_word(CrackKind kind) {
+  constexpr const char* words[] = {"none", "initiated", "propagated", "coalesced"};
+  return words[int(kind)];
+}
+
+CrackKind crack_kind(const std::vector<int>& crack_at_node, const Joint& joint) {
+  const int touched = (crack_at_node[joint.node[0]] >= 0) + (crack_at_node[joint.node[1]] >= 0);
+  return touched == 0 ? CrackKind::initiated : touched == 1 ? CrackKind::propagated : CrackKind::coalesced;
+}
+
+std::vector<int> find_fragments(const Model& model) {
+  Sets sets(model.shapes.size());
+  for (const Joint& joint : model.joints)
+    if (joint.state == JointState::intact) sets.join(joint.a, joint.b);
+  std::vector<int> fragment(model.shapes.size());
+  for (std::size_t b = 0; b < fragment.size(); ++b) fragment[b] = sets.root(int(b));
+  return counted(std::move(fragment));
+}
+
+double Fragment::size() const { return std::sqrt(4 * area / std::numbers::pi); }
+
+std::vector<Fragment> fragments(const Model& model) {
+  std::vector<Fragment> found;
+  for (std::size_t b = 0; b < model.fragment.size(); ++b) {
+    if (model.fragment[b] >= int(found.size())) found.resize(model.fragment[b] + 1);
+    Fragment& f = found[model.fragment[b]];
+    const double mass = model.mass(int(b));
+    ++f.blocks;
+    f.area += model.area(int(b));
+    f.mass += mass;
+    f.centroid += mass * model.blocks[b].centroid;
+    f.velocity += mass * Vec2(model.blocks[b].velocity[0], model.blocks[b].velocity[1]);
+  }
+  for (Fragment& f : found) {
+    f.centroid /= f.mass;
+    f.velocity /= f.mass;
+  }
+  return found;
+}
+
+CrackLengths crack_lengths(const Model& model) {
+  CrackLengths lengths;
+  for (const Joint& joint : model.joints) {
+    if (joint.mode == FailureMode::none) continue;
+    ++lengths.joints;
+    (joint.mode == FailureMode::tension ? lengths.tension : lengths.shear) += joint.length;
+  }
+  return lengths;
+}
+
+}  // namespace talus

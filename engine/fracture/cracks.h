@@ -1,0 +1,36 @@
+#pragma once
+// What failed bonds make together: cracks, which are joints that hang together by their ends, and fragments, which are
+// blocks that hang together by intact bonds.
+#include <vector>
+
+#include "model/model.h"
+
+namespace talus {
+
+// The crack that passes through each node, or -1: numbered by their first joints. Real joints are cracks from the start.
+std::vector<int> cracks_at_nodes(const Model& model);
+
+const char* failure_word(FailureMode mode);  // "none", "tension", "shear"
+const char* crack_word(CrackKind kind);      // "none", "initiated", "propagated", "coalesced"
+
+// What a bond that fails now is to the cracks there are.
+CrackKind crack_kind(const std::vector<int>& crack_at_node, const Joint& joint);
+
+// Per block: the number of its fragment, counted by their first blocks.
+std::vector<int> find_fragments(const Model& model);
+
+struct Fragment {
+  int blocks = 0;
+  double area = 0, mass = 0;  // m2, kg/m
+  Vec2 centroid = Vec2::Zero(), velocity = Vec2::Zero();  // m, m/s, of its mass
+  double size() const;        // m, diameter of the disc of its area
+};
+std::vector<Fragment> fragments(const Model& model);  // of Model::fragment
+
+struct CrackLengths {
+  double tension = 0, shear = 0;  // m, of bonds that failed
+  int joints = 0;
+};
+CrackLengths crack_lengths(const Model& model);
+
+}  // namespace talus

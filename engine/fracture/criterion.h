@@ -1,0 +1,18 @@
+#pragma once
+// When a bond fails: maximum tension and Mohr–Coulomb on the traction of its edge (Ning et al. 2011, equations 1 and 2).
+#include "model/model.h"
+
+namespace talus {
+
+struct Utilisation {
+  double tension = 0, shear = 0;  // it fails where one of them reaches 1
+  double most() const { return tension > shear ? tension : shear; }
+};
+
+// σ/σt, and (|τ| + σ tan φ)/c: both grow in proportion to the load. Infinite where a strength of zero is passed.
+Utilisation utilisation(const BondTraction& traction, const Strength& strength);
+
+// Of a bond with its stored traction, by the criterion of its property.
+double utilisation(const Model& model, const Joint& joint);
+
+}  // namespace talus

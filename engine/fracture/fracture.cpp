@@ -1,0 +1,128 @@
+#include "fracture/fracture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fracture/cracks.h"
+#include "fracture/criterion.h"
+
+namespace talus {
+
+namespace {
+
+// Tractions are found to the solver's tolerance: a bond that lacks no more than this part of its strength has reached it.
+constexpr double at_strength = 1 - 1e-7;
+// Utilisations that differ by less are the same: of bonds that a symmetric scene makes alike none fails before another.
+constexpr double alike = 1e-6;
+
+double joint_jump(const Joint& joint, double JointPoint::*value) {
+  return (joint.points[0].*value + joint.points[1].*value) / 2;
+}
+
+}  // namespace
+
+Fracture::Fracture(Model& model) : model_(model), at_node_(model.nodes.position.size()) {
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    if (!joint.bonded || !model.scene.properties[joint.property].breaks) continue;
+    breakable_.push_back(int(j));
+    for (const int node : joint.node) at_node_[node].push_back(int(j));
+  }
+  restored();
+}
+
+double Fracture::judge() {
+  double most = 0;
+  for (const int j : breakable_) {
+    Joint& joint = model_.joints[j];
+    if (joint.state != JointState::intact) continue;
+    joint.utilisation = utilisation(model_, joint);
+    most = std::max(most, joint.utilisation);
+  }
+  return most;
+}
+
+std::vector<int> Fracture::choose(bool motion) const {
+  const auto& joints = model_.joints;
+  std::vector<int> due;
+  for (const int j : breakable_)
+    if (joints[j].state == JointState::intact && joints[j].utilisation >= at_strength) due.push_back(j);
+  const FractureControl& control = model_.scene.fracture;
+  if (due.empty() || control.order == FailureOrder::all) return due;
+  const double least = control.order == FailureOrder::one ? 1 : 1 - control.band;
+  if (motion && control.order == FailureOrder::critical) {
+    std::vector<int> chosen;
+    for (const int j : due) {
+      double most = 0;
+      for (const int node : joints[j].node)
+        for (const int other : at_node_[node])
+          if (joints[other].state == JointState::intact) most = std::max(most, joints[other].utilisation);
+      if (joints[j].utilisation >= (1 - alike) * least * most) chosen.push_back(j);
+    }
+    return chosen;
+  }
+  std::sort(due.begin(), due.end(), [&](int j, int k) { return joints[j].utilisation > joints[k].utilisation; });
+  std::size_t count = 1;
+  const double limit = least * joints[due[0]].utilisation;
+  while (count < due.size() && (joints[due[count]].utilisation >= limit ||
+                                joints[due[count]].utilisation >= (1 - alike) * joints[due[count - 1]].utilisation))
+    ++count;
+  due.resize(count);
+  std::sort(due.begin(), due.end());
+  return due;
+}
+
+void Fracture::fail(const std::vector<int>& joints, double time) {
+  const std::vector<int> crack_at_node = cracks_at_nodes(model_);
+  for (const int j : joints) {
+    Joint& joint = model_.joints[j];
+    joint.failed_with = mean_traction(joint);
+    const Utilisation by = utilisation(joint.failed_with, model_.strength(joint));
+    joint.mode = by.tension >= by.shear ? FailureMode::tension : FailureMode::shear;
+    joint.crack = crack_kind(crack_at_node, joint);
+    joint.failed_at = time;
+    events_.push_back(j);
+  }
+  for (const int j : joints) {
+    model_.joints[j].state = JointState::failed;
+    weaken(model_.joints[j], 0);
+  }
+  model_.fragment = find_fragments(model_);
+}
+
+void Fracture::heal() {
+  if (events_.empty()) return;
+  for (const int j : events_) {
+    Joint& joint = model_.joints[j];
+    joint.state = JointState::intact;
+    joint.mode = FailureMode::none;
+    joint.crack = CrackKind::none;
+    joint.most_opening = joint.most_slip = 0;
+  }
+  events_.clear();
+  model_.fragment = find_fragments(model_);
+}
+
+void Fracture::weaken() {
+  std::vector<double> pressed(model_.joints.size(), 0.0);  // N/m
+  for (const Contact& c : model_.contacts)
+    if (c.joint >= 0) pressed[c.joint] += c.normal_force;
+  for (const int j : breakable_) {
+    Joint& joint = model_.joints[j];
+    if (joint.state != JointState::failed) continue;
+    joint.most_opening = std::max(joint.most_opening, joint_jump(joint, &JointPoint::opening));
+    joint.most_slip = std::max(joint.most_slip, std::abs(joint_jump(joint, &JointPoint::slip)));
+    weaken(joint, -pressed[j] / joint.length);
+  }
+}
+
+void Fracture::weaken(Joint& joint, double normal) {
+  const JointProperty& property = model_.scene.properties[joint.property];
+  joint.remaining = property.reduction
+                        ? property.reduction(model_.strength(joint), {joint.most_slip, joint.most_opening, normal})
+                        : property.residual;
+}
+
+void Fracture::restored() { model_.fragment = find_fragments(model_); }
+
+}  // namespace talus

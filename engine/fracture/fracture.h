@@ -1,0 +1,39 @@
+#pragma once
+// Bonds that fail: judged by their tractions, the most critical first, before the others are judged anew under the same
+// load. What fails at once would else fail beside what it unloads: parallel cracks where there is one.
+#include <vector>
+
+#include "model/model.h"
+
+namespace talus {
+
+class Fracture {
+ public:
+  explicit Fracture(Model& model);
+
+  // Utilisation of all bonds, from their stored tractions; the highest of them.
+  double judge();
+  // Those of the last judgement that fail now, in order of their numbers. In motion, where a load travels, a bond waits
+  // only for bonds that share a node with it; in equilibrium for all.
+  std::vector<int> choose(bool motion) const;
+  // They fail, with the tractions that they have, and join the events.
+  void fail(const std::vector<int>& joints, double time);
+  // Makes what failed since the last clear_events() whole again.
+  void heal();
+  // Remaining strengths of what has failed, by the slips and openings there are.
+  void weaken();
+
+  // Joints that failed since the last clear_events(): in this step.
+  const std::vector<int>& events() const { return events_; }
+  void clear_events() { events_.clear(); }
+  void restored();  // the model has been put back
+
+ private:
+  void weaken(Joint& joint, double normal);  // Pa
+
+  Model& model_;
+  std::vector<std::vector<int>> at_node_;  // bonds, by Model::nodes
+  std::vector<int> breakable_, events_;
+};
+
+}  // namespace talus

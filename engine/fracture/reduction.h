@@ -1,0 +1,27 @@
+#pragma once
+// Ready-made laws of what a failed bond still carries. Without one it falls at once to its residual strength.
+#include "scene/strength.h"
+
+namespace talus {
+
+// With r² = (opening/δ_I)² + (slip/δ_II)² the part 1 - r (linear) or exp(-r) (exponential) of tension and cohesion above
+// the residual is left. The area under each curve is its fracture energy (J/m2): δ = 2G/f or G/f, f the strength that is
+// lost (Hillerborg, Modéer & Petersson 1976; mixed mode after Camanho & Dávila 2002).
+struct Softening {
+  bool exponential = false;
+  double energy_opening = 0, energy_slip = 0;  // G_I, G_II
+  Strength residual;
+};
+ReductionLaw softening(const Softening& law);
+
+// Tension is lost at once, cohesion and friction fall linearly over `distance` (m) of slip (Ida 1972).
+ReductionLaw slip_weakening(double distance, const Strength& residual);
+
+// Friction angle φ_r + JRC log10(JCS/σn), at most 70°, without cohesion (Barton & Choubey 1977). `jcs`: Pa.
+ReductionLaw barton_bandis(double jrc, double jcs, double residual_friction);
+
+// m, the largest block that can soften with energy `energy` (J/m2) from strength `strength` (Pa) before the energy stored in
+// it passes what the crack takes: 2 E G / f² (Bažant & Oh 1983).
+double largest_softening_block(double young, double energy, double strength);
+
+}  // namespace talus

@@ -1,0 +1,31 @@
+#pragma once
+// What an interface carries, and the laws that decide when a bond fails and what is left of it.
+#include <functional>
+
+namespace talus {
+
+// Mohr and Coulomb with a tension cut-off.
+struct Strength {
+  double friction = 0;  // angle, rad
+  double cohesion = 0;  // Pa
+  double tension = 0;   // Pa
+};
+
+// Mean traction of a bond over its edge, Pa, tension positive.
+struct BondTraction {
+  double normal = 0, shear = 0;
+};
+
+// Utilisation of a bond: it fails at 1. Proportional to the traction, or the load increments that are found from it are
+// merely more.
+using FailureCriterion = std::function<double(const BondTraction& traction, const Strength& intact)>;
+
+// What a failed joint has been through: the largest slip and opening since it failed (m, >= 0) and the normal traction (Pa).
+struct JointWear {
+  double slip = 0, opening = 0, normal = 0;
+};
+
+// What it still carries.
+using ReductionLaw = std::function<Strength(const Strength& intact, const JointWear& wear)>;
+
+}  // namespace talus

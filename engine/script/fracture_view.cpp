@@ -1,0 +1,128 @@
+#include "script/fracture_view.h"
+
+#include <algorithm>
+#include <array>
+
+#include "fracture/cracks.h"
+#include "step/step.h"
+
+namespace talus {
+namespace {
+
+void set(lua_State* L, const char* name, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, name);
+}
+
+void set(lua_State* L, const char* name, const char* word) {
+  lua_pushstring(L, word);
+  lua_setfield(L, -2, name);
+}
+
+void set_id(lua_State* L, const char* name, int id) {
+  lua_pushinteger(L, id);
+  lua_setfield(L, -2, name);
+}
+
+Vec2 middle(const Model& model, const Joint& joint) {
+  return model.place(joint.a, (joint.in_a[0] + joint.in_a[1]) / 2) + model.origin;
+}
+
+}  // namespace
+
+int push_fractures(lua_State* L, const Simulation& simulation) {
+  const Model& model = simulation.model;
+  const std::vector<int>& failed = simulation.fractures();
+  lua_createtable(L, int(failed.size()), 0);
+  for (size_t k = 0; k < failed.size(); ++k) {
+    const Joint& joint = model.joints[failed[k]];
+    const Vec2 at = middle(model, joint);
+    lua_createtable(L, 0, 10);
+    set_id(L, "joint", failed[k] + 1);
+    set(L, "mode", failure_word(joint.mode));
+    set(L, "kind", crack_word(joint.crack));
+    set(L, "x", at.x());
+    set(L, "y", at.y());
+    set(L, "length", joint.length);
+    set(L, "time", joint.failed_at);
+    set(L, "normal", joint.failed_with.normal);
+    set(L, "shear", joint.failed_with.shear);
+    set(L, "utilisation", joint.utilisation);
+    lua_rawseti(L, -2, lua_Integer(k + 1));
+  }
+  return 1;
+}
+
+// { { joints = {…}, length, tension, shear }, …; tension, shear: lengths of them all }; bonds that failed, by cracks that
+// hang together, the first joint's first.
+void push_cracks(lua_State* L, const Model& model) {
+  const std::vector<int> crack_at_node = cracks_at_nodes(model);
+  std::vector<std::vector<int>> joints(crack_at_node.size());
+  for (size_t j = 0; j < model.joints.size(); ++j)
+    if (model.joints[j].mode != FailureMode::none) joints[crack_at_node[model.joints[j].node[0]]].push_back(int(j));
+  std::erase_if(joints, [](const auto& list) { return list.empty(); });
+  std::sort(joints.begin(), joints.end());
+  lua_createtable(L, int(joints.size()), 2);
+  std::array<double, 2> all{};
+  for (size_t c = 0; c < joints.size(); ++c) {
+    std::array<double, 2> length{};
+    lua_createtable(L, 0, 4);
+    lua_createtable(L, int(joints[c].size()), 0);
+    for (size_t k = 0; k < joints[c].size(); ++k) {
+      const Joint& joint = model.joints[joints[c][k]];
+      length[joint.mode == FailureMode::shear] += joint.length;
+      lua_pushinteger(L, joints[c][k] + 1);
+      lua_rawseti(L, -2, lua_Integer(k + 1));
+    }
+    lua_setfield(L, -2, "joints");
+    set(L, "length", length[0] + length[1]);
+    set(L, "tension", length[0]);
+    set(L, "shear", length[1]);
+    lua_rawseti(L, -2, lua_Integer(c + 1));
+    for (int mode : {0, 1}) all[mode] += length[mode];
+  }
+  set(L, "tension", all[0]);
+  set(L, "shear", all[1]);
+}
+
+void push_fragments(lua_State* L, const Model& model) {
+  const std::vector<Fragment> found = fragments(model);
+  lua_createtable(L, int(found.size()), 0);
+  for (size_t f = 0; f < found.size(); ++f) {
+    lua_createtable(L, 0, 8);
+    set_id(L, "blocks", found[f].blocks);
+    set(L, "area", found[f].area);
+    set(L, "mass", found[f].mass);
+    set(L, "size", found[f].size());
+    set(L, "x", found[f].centroid.x() + model.origin.x());
+    set(L, "y", found[f].centroid.y() + model.origin.y());
+    set(L, "vx", found[f].velocity.x());
+    set(L, "vy", found[f].velocity.y());
+    lua_rawseti(L, -2, lua_Integer(f + 1));
+  }
+}
+
+// { name of a fix = { x, y } }, N/m: of all entries of that name.
+void push_reactions(lua_State* L, Simulation& simulation) {
+  const std::vector<Vec2> reactions = simulation.stepper().reactions();
+  lua_newtable(L);
+  for (size_t f = 0; f < reactions.size(); ++f) {
+    const char* name = simulation.model.scene.fixities[f].name.c_str();
+    Vec2 sum = reactions[f];
+    if (lua_getfield(L, -1, name) == LUA_TTABLE)
+      for (int i = 0; i < 2; ++i) {
+        lua_rawgeti(L, -1, i + 1);
+        sum[i] += lua_tonumber(L, -1);
+        lua_pop(L, 1);
+      }
+    lua_pop(L, 1);
+    lua_createtable(L, 2, 0);
+    for (int i = 0; i < 2; ++i) {
+      lua_pushnumber(L, sum[i]);
+      lua_rawseti(L, -2, i + 1);
+    }
+    lua_setfield(L, -2, name);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,154 @@
+// Static loading: increments of load that stop where the first bond reaches its strength, and bonds that fail under a load
+// held until nothing more breaks.
+#include <algorithm>
+#include <cmath>
+
+#include "model/registry.h"
+#include "model/saved_state.h"
+#include "step/part_timer.h"
+#include "step/step.h"
+
+namespace talus {
+
+namespace {
+
+constexpr double least_increment = 1e-6;  // part of t_end
+
+// The model as it was, unless keep() is called.
+class Restored {
+ public:
+  explicit Restored(Model& model) : model_(model) { visit_state(model_, before_); }
+  ~Restored() {
+    if (!kept_) back();
+  }
+  Restored(const Restored&) = delete;
+  Restored& operator=(const Restored&) = delete;
+  void keep() { kept_ = true; }
+  void back() {
+    StateReader reader(before_.bytes);
+    visit_state(model_, reader);
+    model_.place_vertices();
+  }
+
+ private:
+  Model& model_;
+  StateWriter before_;
+  bool kept_ = false;
+};
+
+// What bonds that fail under a held load give off while the rock moves to its new equilibrium: half of the tractions that
+// contacts do not take over, along the jumps that follow (the crack closure integral of Irwin 1957, read backwards).
+class Closure {
+ public:
+  Closure(const Model& model, const std::vector<int>& joints) : joints_(joints) {
+    for (const int j : joints) {
+      const Joint& joint = model.joints[j];
+      BondTraction kept = mean_traction(joint);
+      kept.normal = std::min(kept.normal, 0.0);
+      const double limit = kept.normal < 0 ? joint.remaining.cohesion - kept.normal * std::tan(joint.remaining.friction) : 0;
+      kept.shear = std::clamp(kept.shear, -limit, limit);
+      before_.push_back({joint.points, kept});
+    }
+  }
+  double work(const Model& model) const {
+    double sum = 0;
+    for (size_t k = 0; k < joints_.size(); ++k)
+      for (size_t p = 0; p < before_[k].points.size(); ++p) {
+        const JointPoint &now = model.joints[joints_[k]].points[p], &then = before_[k].points[p];
+        sum += now.weight / 2 * ((then.normal - before_[k].kept.normal) * (now.opening - then.opening) +
+                                 (then.shear - before_[k].kept.shear) * (now.slip - then.slip));
+      }
+    return sum;
+  }
+
+ private:
+  struct Before {
+    std::array<JointPoint, 2> points;
+    BondTraction kept;  // by contacts
+  };
+  const std::vector<int>& joints_;
+  std::vector<Before> before_;
+};
+
+}  // namespace
+
+StepReport Stepper::load_step(double to, bool first) {
+  prepare_bonds();
+  if (!fracture_) {
+    const double from = model_.time;
+    model_.time = to;
+    const LoadStepBooking booking(model_, supports_, from, first);
+    Equilibrium search;
+    if (!balance(search)) give_up(search);
+    booking.book(model_, supports_, ledger_);
+    return search.report;
+  }
+  const std::vector<int> due = first ? std::vector<int>{} : fracture_->choose(false);
+  fracture_->clear_events();
+  return due.empty() ? raise_load(to, first) : break_bonds(due);
+}
+
+// Utilisations grow about in proportion to the load: an increment that passes a strength by more than the overshoot is
+// taken again, to where the first bond reaches it.
+StepReport Stepper::raise_load(double to, bool first) {
+  const double from = model_.time, least = least_increment * model_.scene.time.t_end;
+  const double overshoot = model_.scene.fracture.overshoot, before = fracture_->judge();
+  double until = to;
+  for (;;) {
+    Restored attempt(model_);
+    model_.time = until;
+    const LoadStepBooking booking(model_, supports_, from, first);
+    Equilibrium search;
+    const bool found = balance(search);
+    const double after = found ? fracture_->judge() : 0;
+    search.report.utilisation = after;
+    if (found && (after <= 1 + overshoot || until - from <= least)) {
+      attempt.keep();
+      booking.book(model_, supports_, ledger_);
+      return search.report;
+    }
+    if (!found && until - from <= least) {
+      if (totals_.failures == 0) give_up(search);
+      attempt.back();
+      collapse_ = block_name(model_, culprit(search));
+      StepReport report;
+      report.collapsed = true;
+      return report;
+    }
+    const double part = found ? (1 + overshoot / 2 - before) / (after - before) : 0.25;
+    until = std::max(from + std::clamp(part, 0.01, 0.95) * (until - from), from + least);
+    ++totals_.cuts;
+  }
+}
+
+StepReport Stepper::break_bonds(const std::vector<int>& due) {
+  const double most = fracture_->judge();
+  const LoadStepBooking booking(model_, supports_, model_.time, false);
+  fracture_->fail(due, model_.time);
+  search_.update(model_, 0);
+  const double released = released_energy();
+  const Closure closure(model_, due);
+  Restored at_failure(model_);
+  Equilibrium search;
+  StepReport report;
+  if (balance(search)) {
+    at_failure.keep();
+    report = search.report;
+    booking.book(model_, supports_, ledger_);
+    ledger_.fracture_work += released + closure.work(model_);
+    fracture_->judge();
+  } else {
+    report.collapsed = true;
+    collapse_ = block_name(model_, culprit(search));
+  }
+  report.utilisation = most;
+  report.failures = int(due.size());
+  return report;
+}
+
+std::string Stepper::collapse_note() const {
+  return "no equilibrium beyond t = " + std::to_string(model_.time) + " s: " + collapse_ +
+         " keeps moving; the run ends with the last equilibrium there was";
+}
+
+}  // namespace talus

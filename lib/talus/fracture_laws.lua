@@ -1,0 +1,150 @@
+-- What a joint says of its failure: checks, trials of the functions it gives, and its flat form for the engine.
+local native = require "talus.native"
+
+local laws = {}
+local object  -- requires the rules, and so this file
+
+local function of(self, name)
+  object = object or require "talus.object"
+  return object.get(self, name)
+end
+local function kind(value)
+  object = object or require "talus.object"
+  return object.kind(value)
+end
+
+local usual_cohesion = 0.05e6  -- Pa, of the roughness of a crack (Ning et al. 2011)
+
+function laws.residual_of(law)
+  local word = kind(law)
+  if word == "softening" or word == "slip_weakening" then return of(law, "residual") end
+end
+
+-- The joint's strengths with what is left out filled in.
+local function strength(values)
+  return { friction = values.friction or math.pi/6, cohesion = values.cohesion or 0, tension = values.tension or 0 }
+end
+
+local function filled(residual, intact)
+  local function value(name, default)
+    local given = residual and of(residual, name)
+    if given == nil then return default end
+    return given
+  end
+  return { friction = value("friction", intact.friction),
+           cohesion = value("cohesion", math.min(usual_cohesion, intact.cohesion)),
+           tension = value("tension", 0) }
+end
+
+function laws.check_residual(values, residual, path, bad)
+  if not residual then return end
+  local intact = strength(values)
+  for _, name in ipairs { "cohesion", "tension" } do
+    local left = of(residual, name)
+    if left and left > intact[name] then
+      bad(path .. "." .. name, ("at most the joint's own, %g (Pa)"):format(intact[name]), ("%g"):format(left))
+    end
+  end
+end
+
+local function finite(value)
+  return math.type(value) and value == value and value > -math.huge and value < math.huge
+end
+
+-- The law is called twice alike: one that answers differently depends on something else than its arguments.
+local function tried(law, field, given, bad, ...)
+  local worked, first = pcall(law, ...)
+  if not worked then bad(field, "a function that works " .. given, tostring(first)) end
+  local _, second = pcall(law, ...)
+  return first, second
+end
+
+function laws.try_criterion(values, bad)
+  if not values.criterion then return end
+  local intact = strength(values)
+  for _, load in ipairs { { 0, 0 }, { 1, 1 }, { -1, 1 } } do
+    local given = ("at normal = %g, shear = %g"):format(load[1], load[2])
+    local t = { normal = load[1], shear = load[2], tension = intact.tension, cohesion = intact.cohesion,
+                friction = intact.friction }
+    local first, second = tried(values.criterion, "criterion", given, bad, t)
+    if not math.type(first) or first ~= first then
+      bad("criterion", "a number (how far the strength is used) " .. given, native.describe(first))
+    end
+    if first ~= second then
+      bad("criterion", "the same answer to the same traction " .. given, ("%s, then %s"):format(first, second))
+    end
+  end
+end
+
+function laws.try_reduction(values, bad)
+  if type(values.reduction) ~= "function" then return end
+  for _, way in ipairs { { 0, 0 }, { 1e-3, 0 }, { 0, 1e-3 } } do
+    local given = ("at slip = %g, opening = %g, normal = 0"):format(way[1], way[2])
+    local first, second = tried(values.reduction, "reduction", given, bad, strength(values), way[1], way[2], 0)
+    if type(first) ~= "table" then
+      bad("reduction", "a table { friction, cohesion, tension } " .. given, native.describe(first))
+    end
+    for _, name in ipairs { "friction", "cohesion", "tension" } do
+      local left, own = first[name], strength(values)[name]
+      if left ~= nil and not (finite(left) and left >= 0) then
+        bad("reduction", ("a %s >= 0 %s"):format(name, given), native.describe(left))
+      elseif left and name ~= "friction" and left > own*(1 + 1e-12) then
+        bad("reduction", ("a %s of at most the joint's own, %g (Pa) %s"):format(name, own, given), ("%g"):format(left))
+      end
+      if type(second) ~= "table" or second[name] ~= left then
+        bad("reduction", "the same answer to the same question " .. given, "another the second time")
+      end
+    end
+  end
+end
+
+-- Bonds break where the joint gives a strength.
+function laws.flatten(joint, flat)
+  local given = object and object.given or require("talus.object").given
+  local intact = { friction = flat.friction, cohesion = flat.cohesion, tension = flat.tension }
+  flat.breaks = given(joint, "tension") ~= nil or given(joint, "cohesion") ~= nil
+    or given(joint, "criterion") ~= nil
+  flat.criterion = given(joint, "criterion")
+  local law = given(joint, "reduction")
+  local residual = filled(given(joint, "residual") or laws.residual_of(law), intact)
+  flat.residual_friction, flat.residual_cohesion, flat.residual_tension =
+    residual.friction, residual.cohesion, residual.tension
+  if type(law) == "function" then
+    flat.reduction = law
+  elseif law then
+    flat.law = { kind = kind(law) }
+    for _, name in ipairs { "shape", "G_I", "G_II", "distance", "jrc", "jcs" } do
+      local known, value = pcall(of, law, name)
+      if known then flat.law[name] = value end
+    end
+    flat.law.G_II = flat.law.G_II or flat.law.G_I
+    if flat.law.kind == "barton_bandis" then flat.residual_friction = given(law, "friction") or intact.friction end
+  end
+  local scatter = given(joint, "scatter")
+  if scatter then flat.weibull, flat.seed = of(scatter, "modulus"), of(scatter, "seed") end
+end
+
+-- Strengths of a joint from Hoek and Brown's criterion (Hoek, Carranza-Torres & Corkum 2002): fields for talus.joint.
+-- ucs: uniaxial strength of the intact rock, Pa; mi; gsi 0–100; disturbance 0–1; confinement: largest, Pa.
+function laws.hoek_brown(fields)
+  local places = require "talus.places"
+  local given = type(fields) == "table" and fields or {}
+  for _, name in ipairs { "ucs", "mi" } do
+    if not (finite(given[name]) and given[name] > 0) then
+      places.fail(places.here(), ("talus.laws.hoek_brown.%s: expected a number > 0, got %s"):format(name,
+        native.describe(given[name])))
+    end
+  end
+  local ucs, mi, gsi, d = given.ucs, given.mi, given.gsi or 100, given.disturbance or 0
+  local mb = mi*math.exp((gsi - 100)/(28 - 14*d))
+  local s = math.exp((gsi - 100)/(9 - 3*d))
+  local a = 1/2 + (math.exp(-gsi/15) - math.exp(-20/3))/6
+  local n = (given.confinement or ucs/4)/ucs
+  local k = (s + mb*n)^(a - 1)
+  local sine = 6*a*mb*k/(2*(1 + a)*(2 + a) + 6*a*mb*k)
+  local cohesion = ucs*((1 + 2*a)*s + (1 - a)*mb*n)*k
+    /((1 + a)*(2 + a)*math.sqrt(1 + 6*a*mb*k/((1 + a)*(2 + a))))
+  return { friction = math.asin(sine), cohesion = cohesion, tension = s*ucs/mb }
+end
+
+return laws
