@@ -59,18 +59,15 @@ double born_with(const Model& model, const Contact& c, double dt) {
   return std::max({0.0, -c.gap, depth_ahead(model, c, dt)});
 }
 
-// A bond that has just failed leaves to the faces what they can carry of its traction: pressing, and friction up to its
-// limit. Else they would first have to move into each other, and what the rock was pressed together with would shake it.
+// A bond that has just failed leaves to the faces what they can carry of its traction. Else they would first have to move into each other, and what the rock was pressed together with would shake it.
 void take_over(const Model& model, Contact& c) {
-  const BondTraction t = mean_traction(model.joints[c.joint]);
+  const BondTraction bond = mean_traction(model.joints[c.joint]), t = taken_over(bond, model.contact_strength(c));
   if (t.normal >= 0) return;
-  const Strength strength = model.contact_strength(c);
   c.normal_force = -t.normal * c.length;
-  const double limit = c.normal_force * std::tan(strength.friction) + strength.cohesion * c.length;
-  c.shear_force = std::clamp(t.shear * c.length, -limit, limit);
+  c.shear_force = t.shear * c.length;
   c.stretch = c.shear_force / c.shear_stiffness;
   c.offset = -c.gap - c.normal_force / c.normal_stiffness;
-  c.state = std::abs(c.shear_force) < limit ? ContactState::stick : ContactState::slip;
+  c.state = t.shear == bond.shear ? ContactState::stick : ContactState::slip;
 }
 
 // After a hit X lies deeper than y, by Δt/4 times the speed of the rebound; a step shorter than the last would find that

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "equations/jump.h"
 #include "equations/side.h"
 
 namespace talus {
@@ -11,60 +12,6 @@ namespace {
 // A fixity is held harder than the least that is stable: where one block alone stands on it, a soft hold would not pass
 // its weight into its stress (1D: σ is off by κ/k).
 constexpr double ground_penalty = 1000;
-
-// All blocks at both ends of the step, flown once for all their bonds.
-struct Ends {
-  std::vector<Pose> start, end;
-  Ends(const Model& model, double dt) {
-    for (int b = 0; b < int(model.blocks.size()); ++b) {
-      start.push_back(flown(model, b, 0));
-      end.push_back(flown(model, b, dt));
-    }
-  }
-};
-
-double spin_of(const Model& model, const Joint& joint) {  // rad/s, of the pair
-  const auto spin = [&model](int block) { return model.blocks[block].velocity[2] / model.shapes[block].length; };
-  return (spin(joint.a) + spin(joint.b)) / 2;
-}
-
-// The jump `seconds` ahead, at its rate relative to axes that turn with the pair.
-Vec2 jump_ahead(const Joint& joint, const Pose& a, const Pose& b, double spin, double seconds, double along) {
-  const Vec2 in_a = between(joint.in_a, along), in_b = between(joint.in_b, along);
-  const Vec2 jump = b.displacement(in_b) - a.displacement(in_a);
-  if (seconds == 0) return jump;
-  return jump + seconds * (b.velocity_at(in_b) - a.velocity_at(in_a) - spin * perp(jump));
-}
-
-// The jump of a bond, weighed between both ends of the step.
-class Jump {
- public:
-  Jump(const Model& model, const Ends& ends, const Joint& joint, const Scheme& scheme)
-      : joint_(joint),
-        scheme_(scheme),
-        spin_(spin_of(model, joint)),
-        start_{&ends.start[joint.a], &ends.start[joint.b]},
-        end_{&ends.end[joint.a], &ends.end[joint.b]},
-        from_start_(Rotation::of(spin_ * scheme.mid)),
-        from_end_(Rotation::of(spin_ * (scheme.mid - scheme.dt))) {}
-
-  // At d = 0, turned to the configuration of linearisation; see Scheme::bond_end.
-  Vec2 at(double along) const {
-    return (1 - scheme_.bond_end) * from_start_.turn(ahead(start_, along)) +
-           scheme_.bond_end * from_end_.turn(ahead(end_, along));
-  }
-
- private:
-  Vec2 ahead(const std::array<const Pose*, 2>& poses, double along) const {
-    return jump_ahead(joint_, *poses[0], *poses[1], spin_, scheme_.bond_ahead, along);
-  }
-
-  const Joint& joint_;
-  const Scheme& scheme_;
-  double spin_;  // rad/s, of the pair
-  std::array<const Pose*, 2> start_, end_;  // of blocks a and b
-  Rotation from_start_, from_end_;
-};
 
 // Largest eigenvalue of Σ w² L (N D)ᵀ(N D) against A D: the least k that is provably enough for one block (Pa/m).
 double least_stiffness(const Mat3& flux, const Mat3& elasticity, double area) {
@@ -145,7 +92,7 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
     const Vec2 mean_flux =
         exact ? Vec2(a.weight * a.traction(strain_a) + b.weight * b.traction(strain_b)) : Vec2(0, 0);
     // Joint axes for the springs: the mean of the two blocks' turned normals.
-    const Vec2 n = (a.pose.rotation.turn(joint.normal) + b.pose.rotation.turn(joint.normal)).normalized();
+    const Vec2 n = turned_normal(joint, a.pose, b.pose);
     const auto [kn, ks] = stiffness_[j];
     const Mat2 stiffness = kn * n * n.transpose() + ks * perp(n) * perp(n).transpose();
 
@@ -200,7 +147,7 @@ double JointTerms::energy_of(const Model& model, int j, const Pose& pose_a, cons
   Vec2 flux(0, 0);
   if (joint.kind == BondKind::exact)
     flux = a.weight * a.traction(a.strain_at(ahead)) + b.weight * b.traction(b.strain_at(ahead));
-  const Vec2 n = (pose_a.rotation.turn(joint.normal) + pose_b.rotation.turn(joint.normal)).normalized();
+  const Vec2 n = turned_normal(joint, pose_a, pose_b);
   const auto [kn, ks] = stiffness_[j];
   const double spin = spin_of(model, joint);
   double sum = 0;
@@ -219,7 +166,7 @@ void JointTerms::store_tractions(Model& model) const {
     Joint& joint = model.joints[j];
     const Side a = side_of(model, now.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
     const Side b = side_of(model, now.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
-    const Vec2 n = (a.pose.rotation.turn(joint.normal) + b.pose.rotation.turn(joint.normal)).normalized();
+    const Vec2 n = turned_normal(joint, a.pose, b.pose);
     const bool intact = joint.state == JointState::intact;
     const Vec2 flux = intact && joint.kind == BondKind::exact
                           ? Vec2(a.weight * a.traction(a.pose.strain) + b.weight * b.traction(b.pose.strain))
@@ -229,6 +176,7 @@ void JointTerms::store_tractions(Model& model) const {
           b.pose.displacement(between(joint.in_b, point.at)) - a.pose.displacement(between(joint.in_a, point.at));
       point.opening = gap.dot(n);
       point.slip = gap.dot(perp(n));
+      if (joint.bridged) continue;  // its traction is that of BridgeTerms
       point.normal = intact ? flux.dot(n) + stiffness_[j][0] * point.opening : 0;
       point.shear = intact ? flux.dot(perp(n)) + stiffness_[j][1] * point.slip : 0;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equations/bridge_terms.h"
 #include "fracture/cracks.h"
 #include "fracture/criterion.h"
 
@@ -86,6 +87,7 @@ void Fracture::fail(const std::vector<int>& joints, double time) {
   for (const int j : joints) {
     model_.joints[j].state = JointState::failed;
     weaken(model_.joints[j], 0);
+    begin_bridges(model_, model_.joints[j]);
   }
   model_.fragment = find_fragments(model_);
 }
@@ -98,6 +100,7 @@ void Fracture::heal() {
     joint.mode = FailureMode::none;
     joint.crack = CrackKind::none;
     joint.most_opening = joint.most_slip = 0;
+    joint.bridged = false;
   }
   events_.clear();
   model_.fragment = find_fragments(model_);
@@ -113,6 +116,7 @@ void Fracture::weaken() {
     joint.most_opening = std::max(joint.most_opening, joint_jump(joint, &JointPoint::opening));
     joint.most_slip = std::max(joint.most_slip, std::abs(joint_jump(joint, &JointPoint::slip)));
     weaken(joint, -pressed[j] / joint.length);
+    wear_bridges(model_, joint);
   }
 }
 

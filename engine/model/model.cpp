@@ -1,5 +1,6 @@
 #include "model/model.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace talus {
@@ -85,8 +86,11 @@ Strength Model::strength(const Joint& joint) const {
 
 // What joins the faces of a failed bond, the cohesion of its roughness, does not join faces that meet elsewhere.
 Strength Model::contact_strength(const Contact& contact) const {
-  if (contact.joint >= 0 && joints[contact.joint].bonded) return joints[contact.joint].remaining;
   const JointProperty& property = scene.properties[contact.property];
+  if (contact.joint >= 0 && joints[contact.joint].bonded) {
+    const Strength& left = joints[contact.joint].remaining;
+    return {left.friction, std::min(left.cohesion, property.residual.cohesion), 0};  // more is carried by its bridge
+  }
   if (contact.joint < 0 && property.breaks) return {property.residual.friction, 0, 0};
   return {property.friction, property.cohesion, 0};
 }

@@ -64,10 +64,19 @@ enum class FailureMode : std::uint8_t { none, tension, shear };
 // Of a new crack: on its own, at the tip of one crack, between two.
 enum class CrackKind : std::uint8_t { none, initiated, propagated, coalesced };
 
+// Half a failed bond that still carries tension or cohesion while it opens or slides: traction over jump, in one direction.
+// It goes up to its strength over `reach`, along a line; then down the law of the joint's property; back along a line.
+struct Bridge {
+  double origin = 0;  // m, jump without traction
+  double reach = 0;   // m, jump beyond it at which the strength is reached, unworn
+  double worn = 0;    // m, most jump beyond that
+};
+
 struct JointPoint {  // an integration point of a joint, and its state
   double at = 0, weight = 0;           // position 0–1 along the joint; m
   double normal = 0, shear = 0;        // traction, Pa (of the last accepted step)
   double opening = 0, slip = 0;        // m, jump in the joint's axes
+  Bridge across, along;                // of a failed bond that is bridged
 };
 
 // A persistent interface between two blocks that share an edge: a bond, until it fails, or a real joint, which was never
@@ -86,6 +95,7 @@ struct Joint {
   double scatter = 1;                  // of its strength, about that of its property
   Strength remaining;                  // Pa; of what has failed
   double most_opening = 0, most_slip = 0;  // m, since it failed
+  bool bridged = false;  // failed, and its property's reduction leaves it more than the residual
   BondKind kind = BondKind::exact;
   double length = 0;                   // m, reference
   Vec2 normal = Vec2::Zero();          // reference

@@ -49,18 +49,27 @@ void visit_state(BlockShape& shape, StateVisitor& v) {
 }
 
 void visit_state(JointPoint& point, StateVisitor& v) {
-  auto& [at, weight, normal, shear, opening, slip] = point;
+  auto& [at, weight, normal, shear, opening, slip, across, along] = point;
   v.constant("at", at);
   v.constant("weight", weight);
   v("normal", normal);
   v("shear", shear);
   v("opening", opening);
   v("slip", slip);
+  v("across", across);
+  v("along", along);
+}
+
+void visit_state(Bridge& bridge, StateVisitor& v) {
+  auto& [origin, reach, worn] = bridge;
+  v("origin", origin);
+  v("reach", reach);
+  v("worn", worn);
 }
 
 void visit_state(Joint& joint, StateVisitor& v) {
   auto& [a, b, property, trace, bonded, state, mode, crack, failed_at, failed_with, utilisation, scatter, remaining,
-         most_opening, most_slip, kind, length, normal, in_a, in_b, edge_a, edge_b, node, weight_a, weight_b, points] = joint;
+         most_opening, most_slip, bridged, kind, length, normal, in_a, in_b, edge_a, edge_b, node, weight_a, weight_b, points] = joint;
   for (int* number : {&a, &b, &property, &trace, &edge_a, &edge_b, &node[0], &node[1]}) v.constant("joint", *number);
   v.constant("bonded", bonded);
   v.constant("scatter", scatter);
@@ -79,6 +88,7 @@ void visit_state(Joint& joint, StateVisitor& v) {
   v("remaining", remaining);
   v("most_opening", most_opening);
   v("most_slip", most_slip);
+  v("bridged", bridged);
   v("points", points);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 // What an interface carries, and the laws that decide when a bond fails and what is left of it.
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace talus {
@@ -15,6 +17,13 @@ struct Strength {
 struct BondTraction {
   double normal = 0, shear = 0;
 };
+
+// What closed faces of strength `left` go on to carry of a bond's traction: pressing, and friction up to its limit.
+inline BondTraction taken_over(const BondTraction& bond, const Strength& left) {
+  if (bond.normal >= 0) return {};
+  const double limit = left.cohesion - bond.normal * std::tan(left.friction);
+  return {bond.normal, std::clamp(bond.shear, -limit, limit)};
+}
 
 // Utilisation of a bond: it fails at 1. Proportional to the traction, or the load increments that are found from it are
 // merely more.

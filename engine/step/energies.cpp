@@ -1,6 +1,7 @@
 #include "step/energies.h"
 
 #include "equations/block_terms.h"
+#include "equations/bridge_terms.h"
 
 namespace talus {
 
@@ -30,6 +31,7 @@ double strain_energy(const Model& model, const JointTerms& joints, const Support
     const Vec3 e = model.blocks[b].strain + ahead / shape.length * Vec3(v[3], v[4], v[5]);
     sum += shape.area * e.dot(shape.initial_stress + elasticity_of[shape.material] * e / 2);
   }
+  for (const Joint& joint : model.joints) sum += bridge_energy(joint);
   return sum + (model.joints.empty() ? 0 : joints.energy(model, ahead)) + supports.energy(model, ahead);
 }
 

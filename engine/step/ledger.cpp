@@ -212,6 +212,16 @@ std::vector<LoadStepBooking::Force> LoadStepBooking::forces(const Model& model, 
   return all;
 }
 
+BridgeBooking::BridgeBooking(const Model& model) {
+  for (size_t j = 0; j < model.joints.size(); ++j)
+    if (model.joints[j].bridged) before_.emplace_back(int(j), model.joints[j]);
+}
+
+void BridgeBooking::book(const Model& model, Ledger& ledger) const {
+  for (const auto& [j, then] : before_)
+    ledger.fracture_work += bridge_work(model.joints[j], then) - (bridge_energy(model.joints[j]) - bridge_energy(then));
+}
+
 LoadStepBooking::LoadStepBooking(const Model& model, const Supports& supports, double time, bool unloaded)
     : time_(time),
       unloaded_(unloaded),

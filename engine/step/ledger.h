@@ -8,6 +8,7 @@
 // (θ-½)Δt. The integrator's own loss is booked by its formula, term by term, never as what is left; what is left
 // is `unexplained`: finite rotations, contacts that hand over, the solver's residual, what a script changed by
 // hand.
+#include "equations/bridge_terms.h"
 #include "equations/contact_terms.h"
 #include "equations/supports.h"
 #include "model/state_visitor.h"
@@ -70,6 +71,16 @@ class ContactBooking {
     bool handed;                         // pressed otherwise than the blocks lie
   };
   std::vector<Before> before_;
+};
+
+// What softening bonds take, beside what their bridges store.
+class BridgeBooking {
+ public:
+  explicit BridgeBooking(const Model& model);
+  void book(const Model& model, Ledger& ledger) const;
+
+ private:
+  std::vector<std::pair<int, Joint>> before_;
 };
 
 // N/m per fixity at `time`: on what it holds by points and edges, and on what its held blocks touch.

@@ -1,7 +1,6 @@
 // Static loading: increments of load that stop where the first bond reaches its strength, and bonds that fail under a load
 // held until nothing more breaks.
 #include <algorithm>
-#include <cmath>
 
 #include "model/registry.h"
 #include "model/saved_state.h"
@@ -43,11 +42,8 @@ class Closure {
   Closure(const Model& model, const std::vector<int>& joints) : joints_(joints) {
     for (const int j : joints) {
       const Joint& joint = model.joints[j];
-      BondTraction kept = mean_traction(joint);
-      kept.normal = std::min(kept.normal, 0.0);
-      const double limit = kept.normal < 0 ? joint.remaining.cohesion - kept.normal * std::tan(joint.remaining.friction) : 0;
-      kept.shear = std::clamp(kept.shear, -limit, limit);
-      before_.push_back({joint.points, kept});
+      const BondTraction all = mean_traction(joint);
+      before_.push_back({joint.points, joint.bridged ? all : taken_over(all, joint.remaining)});
     }
   }
   double work(const Model& model) const {
@@ -64,7 +60,7 @@ class Closure {
  private:
   struct Before {
     std::array<JointPoint, 2> points;
-    BondTraction kept;  // by contacts
+    BondTraction kept;  // by contacts, and by a bridge, which books its own work
   };
   const std::vector<int>& joints_;
   std::vector<Before> before_;
@@ -98,6 +94,7 @@ StepReport Stepper::raise_load(double to, bool first) {
     Restored attempt(model_);
     model_.time = until;
     const LoadStepBooking booking(model_, supports_, from, first);
+    const BridgeBooking bridges(model_);
     Equilibrium search;
     const bool found = balance(search);
     const double after = found ? fracture_->judge() : 0;
@@ -105,6 +102,8 @@ StepReport Stepper::raise_load(double to, bool first) {
     if (found && (after <= 1 + overshoot || until - from <= least)) {
       attempt.keep();
       booking.book(model_, supports_, ledger_);
+      bridges.book(model_, ledger_);
+      fracture_->weaken();
       return search.report;
     }
     if (!found && until - from <= least) {
@@ -128,6 +127,7 @@ StepReport Stepper::break_bonds(const std::vector<int>& due) {
   search_.update(model_, 0);
   const double released = released_energy();
   const Closure closure(model_, due);
+  const BridgeBooking bridges(model_);
   Restored at_failure(model_);
   Equilibrium search;
   StepReport report;
@@ -136,6 +136,8 @@ StepReport Stepper::break_bonds(const std::vector<int>& due) {
     report = search.report;
     booking.book(model_, supports_, ledger_);
     ledger_.fracture_work += released + closure.work(model_);
+    bridges.book(model_, ledger_);
+    fracture_->weaken();
     fracture_->judge();
   } else {
     report.collapsed = true;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
@@ -83,13 +84,17 @@ StepReport Stepper::dynamic_step() {
     OpenCloseResult result;
     std::vector<BlockState> moved;
     double released = 0;  // J/m, by bonds that fail in this step
+    std::optional<BridgeBooking> bridge_booking;
     for (;; attempt.again()) {
       // 2. Candidate pairs of vertices and edges, with the state of those that go on.
       if (plan_.contacts) {
         PartTimer timer(totals_, "contact search");
         search_.update(model_, dt);
       }
-      if (fracture_) released = released_energy();
+      if (fracture_) {
+        released = released_energy();
+        bridge_booking.emplace(model_);
+      }
 
       // 3. Open–close: everything linear once, then contacts until their law is met.
       double nearness = 1;
@@ -122,6 +127,7 @@ StepReport Stepper::dynamic_step() {
     attempt.keep();
     if (fracture_) {
       ledger_.fracture_work += released;
+      bridge_booking->book(model_, ledger_);
       fracture_->weaken();
       report.failures = int(fracture_->events().size());
     }
@@ -180,23 +186,28 @@ const std::vector<int>& Stepper::fractures() const {
 
 int Stepper::initial_cracks() {
   prepare_bonds();
-  joints_.store_tractions(model_);
+  store_tractions();
   fracture_->judge();
   const std::vector<int> due = fracture_->choose(false);
   fracture_->fail(due, model_.time);
   return int(due.size());
 }
 
+void Stepper::store_tractions() {
+  joints_.store_tractions(model_);
+  if (fracture_) bridges_.store_tractions(model_);
+}
+
 // Whether bonds fail where the step leads; it is then to be taken again. `moved` is only lent to the model.
 bool Stepper::breaks(std::vector<BlockState>& moved, double time, StepReport& report) {
   PartTimer timer(totals_, "fracture");
   model_.blocks.swap(moved);
-  joints_.store_tractions(model_);
+  store_tractions();
   report.utilisation = std::max(report.utilisation, fracture_->judge());
   model_.blocks.swap(moved);
   const std::vector<int> due = fracture_->choose(true);
   if (due.empty()) return false;
-  joints_.store_tractions(model_);
+  store_tractions();
   fracture_->fail(due, time);
   return true;
 }
@@ -210,6 +221,7 @@ double Stepper::released_energy() const {
   for (const Contact& c : model_.contacts)
     if (c.joint >= 0 && std::find(events.begin(), events.end(), c.joint) != events.end())
       sum -= contact_energy(c);
+  for (const int j : events) sum -= bridge_energy(model_.joints[j]);
   return sum;
 }
 
@@ -220,6 +232,7 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
   const double least = plan_.contacts ? least_hold : 0;
   const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
   hold = std::max(hold, least);
+  falling_ = true;
   for (BlockState& state : model_.blocks) state.velocity.fill(0);
   if (plan_.held_blocks) place_held_blocks(model_);
   for (int i = 0; i < iterations; ++i) {
@@ -234,6 +247,10 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
     if (i > 0 && result.residual <= model_.scene.numerics.static_tolerance) return true;
     result = solve(false, d);
     report.iterations += result.iterations;
+    if (result.singular_block >= 0 && falling_ && bridges_.any()) {
+      falling_ = false;
+      continue;
+    }
     if (!result.converged && plan_.contacts && result.singular_block < 0) {
       hold *= stick ? 100 : 30;
       ++totals_.cuts;
@@ -280,6 +297,10 @@ void Stepper::assemble(const Scheme& scheme, bool stick, double nearness) {
   system_.clear(model_);
   add_block_terms(model_, poses_, scheme, system_);
   if (plan_.bonds) joints_.add(model_, poses_, scheme, system_);
+  if (fracture_) {
+    bridges_.find_slots(model_, system_.matrix);
+    bridges_.add(model_, poses_, scheme, falling_, system_);
+  }
   if (plan_.fixities) supports_.add(model_, poses_, scheme, system_);
   add_loads(model_, poses_, scheme, system_);
   if (plan_.contacts) contacts_.find_slots(system_.matrix, model_);
@@ -335,7 +356,7 @@ void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const 
       booking.book_friction(model_, ledger_);
   }
   ledger_.ahead = scheme.bond_ahead;
-  if (plan_.bonds && (!motion || !fracture_)) joints_.store_tractions(model_);  // else they are, to be judged
+  if (plan_.bonds && (!motion || !fracture_)) store_tractions();  // else they are, to be judged
 }
 
 std::vector<Vec2> Stepper::reactions() {

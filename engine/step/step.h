@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/detection.h"
+#include "equations/bridge_terms.h"
 #include "equations/contact_terms.h"
 #include "equations/joint_terms.h"
 #include "equations/linear_solver.h"
@@ -65,6 +66,7 @@ class Stepper {
   [[noreturn]] void give_up(const Equilibrium& search) const;
   bool breaks(std::vector<BlockState>& moved, double time, StepReport& report);
   double released_energy() const;
+  void store_tractions();
   OpenCloseResult solve(bool motion, Vector& d);
   bool rests(double dt);
   OpenCloseResult stay(Vector& d);
@@ -80,6 +82,7 @@ class Stepper {
   StepSize step_size_;
   ContactSearch search_;
   JointTerms joints_;
+  BridgeTerms bridges_;
   Supports supports_;
   ContactTerms contacts_;
   std::vector<Contact> contacts_before_;  // the attempt at a step
@@ -90,6 +93,7 @@ class Stepper {
   std::unique_ptr<Fracture> fracture_;  // where bonds can fail
   double load_increment_ = 0;           // s, of the next load step; 0: all of it
   std::string collapse_;
+  bool falling_ = true;  // tangents of softening bonds; not where they leave nothing to stand on
   long revision_ = -1;
 };
 

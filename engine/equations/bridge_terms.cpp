@@ -1,0 +1,188 @@
+#include "equations/bridge_terms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "equations/jump.h"
+
+namespace talus {
+
+namespace {
+
+// Part of the reach over which the slope of a law is taken: small against what a law changes over, large against
+// rounding.
+constexpr double slope_step = 1e-3;
+
+struct Pull {
+  double traction = 0, tangent = 0, line = 0;  // Pa, Pa/m, Pa/m
+};
+
+// `strength(worn)`: f above. x >= 0.
+template <class Law>
+Pull pull(const Bridge& bridge, double x, const Law& strength) {
+  if (bridge.reach <= 0) return {};
+  const double beyond = x - bridge.reach;
+  if (beyond <= bridge.worn) {
+    const double line = strength(bridge.worn) / (bridge.reach + bridge.worn);
+    return {line * x, line, line};
+  }
+  const double f = strength(beyond), step = slope_step * bridge.reach;
+  return {f, (strength(beyond + step) - f) / step, f / x};
+}
+
+// Strengths of a joint above what its contact carries in the end.
+class Laws {
+ public:
+  Laws(const Model& model, const Joint& joint)
+      : property_(model.scene.properties[joint.property]), intact_(model.strength(joint)) {}
+
+  double tension(double slip, double opening) const {
+    return std::max(0.0, left(slip, opening).tension - property_.residual.tension);
+  }
+  double cohesion(double slip, double opening) const {
+    return std::max(0.0, left(slip, opening).cohesion - property_.residual.cohesion);
+  }
+
+ private:
+  Strength left(double slip, double opening) const { return property_.reduction(intact_, {slip, opening, 0}); }
+
+  const JointProperty& property_;
+  Strength intact_;
+};
+
+struct Pulls {
+  Pull across, along;
+};
+
+Pulls pulls(const Model& model, const Joint& joint, const JointPoint& point, double opening, double slip) {
+  const Laws laws(model, joint);
+  const double x = opening - point.across.origin, s = slip - point.along.origin;
+  Pulls both;
+  if (x > 0)
+    both.across = pull(point.across, x, [&](double worn) { return laws.tension(point.along.worn, worn); });
+  both.along = pull(point.along, std::abs(s), [&](double worn) { return laws.cohesion(worn, point.across.worn); });
+  both.along.traction = std::copysign(both.along.traction, s);
+  return both;
+}
+
+double contact_stiffness(const Model& model, const Joint& joint) {  // Pa/m
+  const double young = std::min(model.material(joint.a).young, model.material(joint.b).young);
+  const JointProperty& property = model.scene.properties[joint.property];
+  const double alpha = property.stiffness_kind == StiffnessKind::per_length ? property.stiffness : JointProperty{}.stiffness;
+  return alpha * young / std::min(model.shapes[joint.a].length, model.shapes[joint.b].length);
+}
+
+Strength contact_part(const JointProperty& property, const Joint& joint) {
+  return {joint.remaining.friction, std::min(joint.remaining.cohesion, property.residual.cohesion), 0};
+}
+
+Bridge begun(double jump, double traction, double strength, double stiffness) {
+  const double carried = std::clamp(traction, -strength, strength);
+  return {.origin = jump - carried / stiffness, .reach = strength / stiffness, .worn = 0};
+}
+
+}  // namespace
+
+void begin_bridges(const Model& model, Joint& joint) {
+  const JointProperty& property = model.scene.properties[joint.property];
+  if (!property.reduction) return;
+  const Laws laws(model, joint);
+  const double tension = laws.tension(0, 0), cohesion = laws.cohesion(0, 0), stiffness = contact_stiffness(model, joint);
+  joint.bridged = tension > 0 || cohesion > 0;
+  const BondTraction t = mean_traction(joint);
+  const double normal = std::max(0.0, t.normal), shear = t.shear - taken_over(t, contact_part(property, joint)).shear;
+  for (JointPoint& point : joint.points) {
+    point.across = begun(point.opening, normal, tension, stiffness);
+    point.along = begun(point.slip, shear, cohesion, stiffness);
+  }
+}
+
+void wear_bridges(const Model& model, Joint& joint) {
+  if (!joint.bridged) return;
+  const Laws laws(model, joint);
+  joint.bridged = false;
+  for (JointPoint& point : joint.points) {
+    const auto wear = [](Bridge& bridge, double x) { bridge.worn = std::max(bridge.worn, x - bridge.reach); };
+    wear(point.across, point.opening - point.across.origin);
+    wear(point.along, std::abs(point.slip - point.along.origin));
+    joint.bridged = joint.bridged || laws.tension(point.along.worn, point.across.worn) > 0 ||
+                    laws.cohesion(point.along.worn, point.across.worn) > 0;
+  }
+  if (!joint.bridged)
+    for (JointPoint& point : joint.points) point.normal = point.shear = 0;
+}
+
+void BridgeTerms::find_slots(const Model& model, const BlockMatrix& matrix) {
+  slots_.clear();
+  for (size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    if (joint.bridged)
+      slots_.push_back({int(j), matrix.slot(joint.a, joint.a), matrix.slot(joint.b, joint.b), matrix.slot(joint.a, joint.b)});
+  }
+}
+
+void BridgeTerms::add(const Model& model, const Poses& poses, const Scheme& scheme, bool falling, System& system) const {
+  if (slots_.empty()) return;
+  const Ends ends(model, scheme.dt);
+  for (const Slots& slots : slots_) {
+    const Joint& joint = model.joints[slots.joint];
+    const Pose &a = poses.blocks[joint.a], &b = poses.blocks[joint.b];
+    const Vec2 n = turned_normal(joint, a, b), t = perp(n);
+    const Jump jump(model, ends, joint, scheme);
+    DofMatrix kaa = DofMatrix::Zero(), kbb = kaa, kab = kaa;
+    DofColumn fa = DofColumn::Zero(), fb = fa;
+    for (const JointPoint& point : joint.points) {
+      const Vec2 at = (a.place(between(joint.in_a, point.at)) + b.place(between(joint.in_b, point.at))) / 2;
+      const DofRows ta = a.rows(at), tb = b.rows(at);
+      const Vec2 gap = jump.at(point.at);
+      const auto [across, along] = pulls(model, joint, point, gap.dot(n), gap.dot(t));
+      const double kn = falling ? across.tangent : across.line, ks = falling ? along.tangent : along.line;
+      const Mat2 stiffness = kn * n * n.transpose() + ks * t * t.transpose();
+      const Vec2 traction = across.traction * n + along.traction * t;
+      const double w = point.weight;
+      fa += w * ta.transpose() * traction;
+      fb -= w * tb.transpose() * traction;
+      const double wk = w * scheme.bond_d;
+      kaa += wk * ta.transpose() * stiffness * ta;
+      kbb += wk * tb.transpose() * stiffness * tb;
+      kab -= wk * ta.transpose() * stiffness * tb;
+    }
+    const BlockShape &shape_a = model.shapes[joint.a], &shape_b = model.shapes[joint.b];
+    system.add_force(shape_a, joint.a, fa);
+    system.add_force(shape_b, joint.b, fb);
+    if (shape_a.dofs) system.matrix.add(slots.aa, false, kaa);
+    if (shape_b.dofs) system.matrix.add(slots.bb, false, kbb);
+    if (shape_a.dofs && shape_b.dofs) system.matrix.add(slots.ab, slots.ab.row != joint.a, kab);
+  }
+}
+
+void BridgeTerms::store_tractions(Model& model) const {
+  for (Joint& joint : model.joints) {
+    if (!joint.bridged) continue;
+    for (JointPoint& point : joint.points) {
+      const auto [across, along] = pulls(model, joint, point, point.opening, point.slip);
+      point.normal = across.traction;
+      point.shear = along.traction;
+    }
+  }
+}
+
+double bridge_energy(const Joint& joint) {
+  double sum = 0;
+  if (!joint.bridged) return sum;
+  for (const JointPoint& point : joint.points)
+    sum += point.weight / 2 * (point.normal * std::max(0.0, point.opening - point.across.origin) +
+                               point.shear * (point.slip - point.along.origin));
+  return sum;
+}
+
+double bridge_work(const Joint& now, const Joint& then) {
+  double sum = 0;
+  for (size_t p = 0; p < now.points.size(); ++p) {
+    const JointPoint &n = now.points[p], &t = then.points[p];
+    sum += n.weight / 2 * ((n.normal + t.normal) * (n.opening - t.opening) + (n.shear + t.shear) * (n.slip - t.slip));
+  }
+  return sum;
+}
+
+}  // namespace talus

@@ -1,0 +1,66 @@
+#pragma once
+// The jump of place across a joint, b - a, as a step feels it.
+#include "equations/side.h"
+
+namespace talus {
+
+// All blocks at both ends of the step, flown once for all their bonds.
+struct Ends {
+  std::vector<Pose> start, end;
+  Ends(const Model& model, double dt) {
+    for (int b = 0; b < int(model.blocks.size()); ++b) {
+      start.push_back(flown(model, b, 0));
+      end.push_back(flown(model, b, dt));
+    }
+  }
+};
+
+inline double spin_of(const Model& model, const Joint& joint) {  // rad/s, of the pair
+  const auto spin = [&model](int block) { return model.blocks[block].velocity[2] / model.shapes[block].length; };
+  return (spin(joint.a) + spin(joint.b)) / 2;
+}
+
+// The jump `seconds` ahead, at its rate relative to axes that turn with the pair.
+inline Vec2 jump_ahead(const Joint& joint, const Pose& a, const Pose& b, double spin, double seconds, double along) {
+  const Vec2 in_a = between(joint.in_a, along), in_b = between(joint.in_b, along);
+  const Vec2 jump = b.displacement(in_b) - a.displacement(in_a);
+  if (seconds == 0) return jump;
+  return jump + seconds * (b.velocity_at(in_b) - a.velocity_at(in_a) - spin * perp(jump));
+}
+
+// The jump of a bond, weighed between both ends of the step.
+class Jump {
+ public:
+  Jump(const Model& model, const Ends& ends, const Joint& joint, const Scheme& scheme)
+      : joint_(joint),
+        scheme_(scheme),
+        spin_(spin_of(model, joint)),
+        start_{&ends.start[joint.a], &ends.start[joint.b]},
+        end_{&ends.end[joint.a], &ends.end[joint.b]},
+        from_start_(Rotation::of(spin_ * scheme.mid)),
+        from_end_(Rotation::of(spin_ * (scheme.mid - scheme.dt))) {}
+
+  // At d = 0, turned to the configuration of linearisation; see Scheme::bond_end.
+  Vec2 at(double along) const {
+    return (1 - scheme_.bond_end) * from_start_.turn(ahead(start_, along)) +
+           scheme_.bond_end * from_end_.turn(ahead(end_, along));
+  }
+
+ private:
+  Vec2 ahead(const std::array<const Pose*, 2>& poses, double along) const {
+    return jump_ahead(joint_, *poses[0], *poses[1], spin_, scheme_.bond_ahead, along);
+  }
+
+  const Joint& joint_;
+  const Scheme& scheme_;
+  double spin_;  // rad/s, of the pair
+  std::array<const Pose*, 2> start_, end_;  // of blocks a and b
+  Rotation from_start_, from_end_;
+};
+
+// Normal of a joint where its blocks are: the mean of the two.
+inline Vec2 turned_normal(const Joint& joint, const Pose& a, const Pose& b) {
+  return (a.rotation.turn(joint.normal) + b.rotation.turn(joint.normal)).normalized();
+}
+
+}  // namespace talus
