@@ -14,7 +14,7 @@ namespace {
 constexpr double slope_step = 1e-3;
 
 struct Pull {
-  double traction = 0, tangent = 0, line = 0;  // Pa, Pa/m, Pa/m
+  double traction = 0, tangent = 0;  // Pa, Pa/m
 };
 
 // `strength(worn)`: f above. x >= 0.
@@ -22,12 +22,12 @@ template <class Law>
 Pull pull(const Bridge& bridge, double x, const Law& strength) {
   if (bridge.reach <= 0) return {};
   const double beyond = x - bridge.reach;
-  if (beyond <= bridge.worn) {
+  if (beyond < bridge.worn) {  // at its worst jump it is expected to go on
     const double line = strength(bridge.worn) / (bridge.reach + bridge.worn);
-    return {line * x, line, line};
+    return {line * x, line};
   }
   const double f = strength(beyond), step = slope_step * bridge.reach;
-  return {f, (strength(beyond + step) - f) / step, f / x};
+  return {f, (strength(beyond + step) - f) / step};
 }
 
 // Strengths of a joint above what its contact carries in the end.
@@ -121,7 +121,7 @@ void BridgeTerms::find_slots(const Model& model, const BlockMatrix& matrix) {
   }
 }
 
-void BridgeTerms::add(const Model& model, const Poses& poses, const Scheme& scheme, bool falling, System& system) const {
+void BridgeTerms::add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const {
   if (slots_.empty()) return;
   const Ends ends(model, scheme.dt);
   for (const Slots& slots : slots_) {
@@ -136,8 +136,7 @@ void BridgeTerms::add(const Model& model, const Poses& poses, const Scheme& sche
       const DofRows ta = a.rows(at), tb = b.rows(at);
       const Vec2 gap = jump.at(point.at);
       const auto [across, along] = pulls(model, joint, point, gap.dot(n), gap.dot(t));
-      const double kn = falling ? across.tangent : across.line, ks = falling ? along.tangent : along.line;
-      const Mat2 stiffness = kn * n * n.transpose() + ks * t * t.transpose();
+      const Mat2 stiffness = across.tangent * n * n.transpose() + along.tangent * t * t.transpose();
       const Vec2 traction = across.traction * n + along.traction * t;
       const double w = point.weight;
       fa += w * ta.transpose() * traction;

@@ -16,8 +16,7 @@ namespace talus {
 class BridgeTerms {
  public:
   void find_slots(const Model& model, const BlockMatrix& matrix);
-  // `falling`: with the tangent of the falling branch, else with the line back, which is positive.
-  void add(const Model& model, const Poses& poses, const Scheme& scheme, bool falling, System& system) const;
+  void add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const;
   // Tractions of bridged points at their stored jumps.
   void store_tractions(Model& model) const;
   bool any() const { return !slots_.empty(); }  // at the last find_slots

@@ -20,6 +20,8 @@ namespace {
 // Equilibrium with contacts is found by steps against a little inertia, which a loose block needs to stay
 // put: this part of (wave speed / size)², far below the slowest mode of what is held.
 constexpr double least_hold = 1e-4;
+constexpr int patience = 6;       // steps that bring equilibrium no nearer
+constexpr double most_hold = 1e6;  // where that does not help, nothing will
 constexpr int equilibrium_iterations = 200;
 constexpr int held_iterations = 15;  // open–close, before equilibrium is sought against more inertia, where states change less
 constexpr double release_hold = 100;  // so that states change a few at a time
@@ -232,7 +234,11 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
   const double least = plan_.contacts ? least_hold : 0;
   const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
   hold = std::max(hold, least);
-  falling_ = true;
+  bool snaps = false;  // softens faster than the blocks unload
+  double last = 1;     // residual of the step before
+  double snap_hold = 0;
+  double best = 1;
+  int stalled = 0;
   for (BlockState& state : model_.blocks) state.velocity.fill(0);
   if (plan_.held_blocks) place_held_blocks(model_);
   for (int i = 0; i < iterations; ++i) {
@@ -247,8 +253,10 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
     if (i > 0 && result.residual <= model_.scene.numerics.static_tolerance) return true;
     result = solve(false, d);
     report.iterations += result.iterations;
-    if (result.singular_block >= 0 && falling_ && bridges_.any()) {
-      falling_ = false;
+    if (result.singular_block >= 0 && bridges_.any() && hold < most_hold) {  // what softens does not stand by itself
+      hold *= 30;
+      snap_hold = std::max(snap_hold, hold);
+      snaps = true;
       continue;
     }
     if (!result.converged && plan_.contacts && result.singular_block < 0) {
@@ -264,9 +272,20 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
       ++totals_.cuts;
       continue;
     }
-    hold = std::max(least, hold / 4);
+    hold = snaps && report.residual > last ? std::max(hold, std::min(2 * hold, snap_hold)) : std::max(least, hold / 4);
+    stalled = report.residual > 0.9 * best ? stalled + 1 : 0;
+    best = std::min(best, report.residual);
+    if (stalled > patience && bridges_.any()) {
+      hold = snap_hold = std::min(30 * std::max(hold, snap_hold), most_hold);
+      snaps = true;
+      stalled = 0;
+      best = 1;
+    }
+    last = report.residual;
     report.displacement = std::max(report.displacement, displacement);
     accept(std::move(moved), scheme, d);
+    if (snaps)  // what has softened on the way does not come back, or it would go back and forth
+      for (Joint& joint : model_.joints) wear_bridges(model_, joint);
   }
   return false;
 }
@@ -299,7 +318,7 @@ void Stepper::assemble(const Scheme& scheme, bool stick, double nearness) {
   if (plan_.bonds) joints_.add(model_, poses_, scheme, system_);
   if (fracture_) {
     bridges_.find_slots(model_, system_.matrix);
-    bridges_.add(model_, poses_, scheme, falling_, system_);
+    bridges_.add(model_, poses_, scheme, system_);
   }
   if (plan_.fixities) supports_.add(model_, poses_, scheme, system_);
   add_loads(model_, poses_, scheme, system_);

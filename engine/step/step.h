@@ -93,7 +93,6 @@ class Stepper {
   std::unique_ptr<Fracture> fracture_;  // where bonds can fail
   double load_increment_ = 0;           // s, of the next load step; 0: all of it
   std::string collapse_;
-  bool falling_ = true;  // tangents of softening bonds; not where they leave nothing to stand on
   long revision_ = -1;
 };
 
