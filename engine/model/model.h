@@ -76,7 +76,7 @@ struct JointPoint {  // an integration point of a joint, and its state
   double at = 0, weight = 0;           // position 0–1 along the joint; m
   double normal = 0, shear = 0;        // traction, Pa (of the last accepted step)
   double opening = 0, slip = 0;        // m, jump in the joint's axes
-  Bridge across, along;                // of a failed bond that is bridged
+  Bridge across = {}, along = {};      // of a failed bond that is bridged
 };
 
 // A persistent interface between two blocks that share an edge: a bond, until it fails, or a real joint, which was never
