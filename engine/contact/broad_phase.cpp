@@ -1,81 +1,66 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
+#include "contact/box_grid.h"
 #include "contact/detection.h"
 
 namespace talus {
 
-namespace {
-
-struct Box {
-  Vec2 low, high;
-  bool meets(const Box& other) const {
-    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
-  }
-};
-
-// A block lies in the level whose cells are at least as large as its box, so it covers at most four of them.
-struct Entry {
-  int level;
-  std::int64_t x, y;
-  int block;
-  friend auto operator<=>(const Entry&, const Entry&) = default;
-};
-
-Box swept_box(const Model& model, int block, double dt) {
+Box swept_box(const Model& model, int block, const std::array<double, max_dofs>& v, double dt) {
   const BlockShape& shape = model.shapes[block];
   Box box{model.vertex[shape.vertex_begin], model.vertex[shape.vertex_begin]};
-  for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) {
-    box.low = box.low.cwiseMin(model.vertex[v]);
-    box.high = box.high.cwiseMax(model.vertex[v]);
+  for (int k = shape.vertex_begin; k < shape.vertex_end; ++k) {
+    box.low = box.low.cwiseMin(model.vertex[k]);
+    box.high = box.high.cwiseMax(model.vertex[k]);
   }
-  const auto& v = model.blocks[block].velocity;
-  const double turn = std::abs(v[2]) / shape.length * shape.radius * dt, margin = search_margin * shape.length + turn;
+  const double turn = std::abs(v[2]) / shape.length * shape.radius * dt,
+               margin = search_margin * shape.length + turn;
   const Vec2 motion(v[0] * dt, v[1] * dt);
   box.low += motion.cwiseMin(0) - Vec2(margin, margin);
   box.high += motion.cwiseMax(0) + Vec2(margin, margin);
   return box;
 }
 
-template <typename Visit>
-void cells_of(const Box& box, double size, Visit visit) {
-  const auto cell = [size](double x) { return std::int64_t(std::floor(x / size)); };
-  for (std::int64_t x = cell(box.low.x()); x <= cell(box.high.x()); ++x)
-    for (std::int64_t y = cell(box.low.y()); y <= cell(box.high.y()); ++y) visit(x, y);
+int BoxGrid::level_of(const Box& box) {
+  return int(std::ceil(std::log2((box.high - box.low).maxCoeff())));
 }
 
-}  // namespace
+BoxGrid::Cells BoxGrid::cells_of(const Box& box, int level) {
+  const auto cell = [size = std::ldexp(1.0, level)](double x) { return std::int64_t(std::floor(x / size)); };
+  return {cell(box.low.x()), cell(box.high.x()), cell(box.low.y()), cell(box.high.y())};
+}
+
+void BoxGrid::fill(std::vector<Box> boxes) {
+  boxes_ = std::move(boxes);
+  entries_.clear();
+  levels_.clear();
+  for (int k = 0; k < count(); ++k) {
+    const int level = level_of(boxes_[k]);
+    const Cells cells = cells_of(boxes_[k], level);
+    for (std::int64_t x = cells.x0; x <= cells.x1; ++x)
+      for (std::int64_t y = cells.y0; y <= cells.y1; ++y) entries_.push_back({level, x, y, k});
+  }
+  std::sort(entries_.begin(), entries_.end());
+  for (size_t e = 0; e < entries_.size(); ++e) {
+    if (levels_.empty() || levels_.back().number != entries_[e].level)
+      levels_.push_back({entries_[e].level, e, e});
+    levels_.back().end = e + 1;
+  }
+}
 
 std::vector<std::pair<int, int>> broad_phase(const Model& model, const std::vector<int>& blocks, double dt) {
-  const int count = int(blocks.size());
-  std::vector<Box> boxes(count);
-  std::vector<int> level(count), levels;
-  std::vector<Entry> entries;
-  for (int k = 0; k < count; ++k) {
-    boxes[k] = swept_box(model, blocks[k], dt);
-    level[k] = int(std::ceil(std::log2((boxes[k].high - boxes[k].low).maxCoeff())));
-    cells_of(boxes[k], std::ldexp(1.0, level[k]),
-             [&](std::int64_t x, std::int64_t y) { entries.push_back({level[k], x, y, k}); });
-    levels.push_back(level[k]);
-  }
-  std::sort(entries.begin(), entries.end());
-  std::sort(levels.begin(), levels.end());
-  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-
+  std::vector<Box> boxes;
+  for (const int b : blocks) boxes.push_back(swept_box(model, b, model.blocks[b].velocity, dt));
+  BoxGrid grid;
+  grid.fill(std::move(boxes));
   std::vector<std::pair<int, int>> pairs;
-  for (int k = 0; k < count; ++k) {
-    const auto visit = [&](int at, std::int64_t x, std::int64_t y) {
-      for (auto e = std::lower_bound(entries.begin(), entries.end(), Entry{at, x, y, 0});
-           e != entries.end() && e->level == at && e->x == x && e->y == y; ++e) {
-        const int other = e->block;
-        if (at == level[k] && other <= k) continue;
-        if (model.shapes[blocks[k]].dofs == 0 && model.shapes[blocks[other]].dofs == 0) continue;
-        if (boxes[k].meets(boxes[other])) pairs.push_back(std::minmax(blocks[k], blocks[other]));
-      }
-    };
-    for (auto at = std::lower_bound(levels.begin(), levels.end(), level[k]); at != levels.end(); ++at)
-      cells_of(boxes[k], std::ldexp(1.0, *at), [&](std::int64_t x, std::int64_t y) { visit(*at, x, y); });
+  for (int k = 0; k < grid.count(); ++k) {
+    const int level = BoxGrid::level_of(grid.box(k));
+    grid.each_meeting(grid.box(k), level, [&](int other) {
+      if (other <= k && BoxGrid::level_of(grid.box(other)) == level) return;
+      if (model.shapes[blocks[k]].dofs == 0 && model.shapes[blocks[other]].dofs == 0) return;
+      pairs.push_back(std::minmax(blocks[k], blocks[other]));
+    });
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -17,6 +18,16 @@ constexpr double shorter = 0.99;  // part of the last step: the same but for rou
 Vec2 edge_normal(const Model& model, const Contact& c) {
   const int begin = model.shapes[c.j].vertex_begin;
   return -perp(model.vertex[begin + model.next_vertex(c.j, c.edge)] - model.vertex[begin + c.edge]).normalized();
+}
+
+template <class AModel>
+auto awake_contacts(AModel& model) {
+  return std::span(model.contacts).subspan(size_t(model.sleeping_contacts));
+}
+
+bool stands_still(const Model& model, int block) {
+  const auto& v = model.blocks[block].velocity;
+  return std::all_of(v.begin(), v.end(), [](double rate) { return rate == 0; });
 }
 
 std::int64_t pair_key(int a, int b) { return (std::int64_t(std::min(a, b)) << 32) | std::max(a, b); }
@@ -74,7 +85,8 @@ void take_over(const Model& model, Contact& c) {
 // depth as a load that nothing paid for. It is kept as an offset, which goes as the bodies part: nothing presses more at
 // the start of a step than at the end of the last.
 void forgive_depth(Model& model, double dt) {
-  for (Contact& c : model.contacts) {
+  for (Contact& c : awake_contacts(model)) {
+    if (stands_still(model, c.i) && stands_still(model, c.j)) continue;  // X is y
     if (c.gap + c.offset >= 0) continue;
     const double now = std::min(-(c.gap + c.offset), depth_ahead(model, c, dt));
     c.offset += std::max(0.0, now - c.normal_force / c.normal_stiffness);
@@ -84,7 +96,7 @@ void forgive_depth(Model& model, double dt) {
 // State of the contacts that go on, and of those that hand over.
 void carry_over(const Model& model, double dt, std::vector<Contact>& now) {
   std::unordered_map<std::int64_t, const Contact*> before;
-  for (const Contact& c : model.contacts) before[c.key()] = &c;
+  for (const Contact& c : awake_contacts(model)) before[c.key()] = &c;
   std::vector<Contact*> fresh;
   for (Contact& c : now) {
     const auto found = before.find(c.key());
@@ -103,7 +115,7 @@ void carry_over(const Model& model, double dt, std::vector<Contact>& now) {
     before.erase(found);
   }
   std::unordered_map<std::int64_t, std::vector<const Contact*>> ended;  // by vertex, and by pair of blocks
-  for (const Contact& c : model.contacts) {
+  for (const Contact& c : awake_contacts(model)) {
     if (c.state == ContactState::open || !before.contains(c.key())) continue;
     ended[-1 - c.global_vertex].push_back(&c);
     ended[pair_key(c.i, c.j)].push_back(&c);
@@ -236,11 +248,14 @@ void ContactSearch::find_outlines(const Model& model) {
 bool ContactSearch::unmoved(const Model& model, double dt) {
   std::vector<double> now;
   now.reserve(12 * model.blocks.size() + 1);
-  for (const BlockState& b : model.blocks) {
+  for (size_t k = 0; k < model.blocks.size(); ++k) {
+    if (model.sleeps(int(k))) continue;
+    const BlockState& b = model.blocks[k];
     now.insert(now.end(), {b.shift.x(), b.shift.y(), b.angle, b.strain[0], b.strain[1], b.strain[2]});
     now.insert(now.end(), b.velocity.begin(), b.velocity.end());
   }
   now.push_back(double(model.revision));
+  now.push_back(double(model.sleep_changes));
   const bool same = now == seen_ && dt == seen_dt_;
   seen_ = std::move(now);
   seen_dt_ = dt;
@@ -257,12 +272,18 @@ void ContactSearch::update(Model& model, double dt) {
   if (unmoved(model, dt) && intact == intact_joints_) return;
   std::vector<Contact> now;
   std::vector<MeetingCorners> meeting;
-  for (const auto& [a, b] : broad_phase(model, surface_blocks_, dt))
+  std::vector<int> awake;
+  for (const int b : surface_blocks_)
+    if (!model.sleeps(b)) awake.push_back(b);
+  std::vector<std::pair<int, int>> pairs = broad_phase(model, awake, dt);
+  for (const auto& [a, b] : pairs)
     if (!bonded_.contains(pair_key(a, b))) find_contacts(model, surface_, a, b, dt, now, meeting);
   drop_points(model, meeting, bonded_, now);
   std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
   carry_over(model, dt, now);
-  model.contacts = std::move(now);
+  model.contacts.resize(size_t(model.sleeping_contacts));
+  model.contacts.insert(model.contacts.end(), now.begin(), now.end());
+  if (!model.asleep.empty()) near_ = std::move(pairs);
   if (dt > 0 && dt < shorter * last_dt_) forgive_depth(model, dt);
 }
 

@@ -28,9 +28,11 @@ struct Surface {
 
 class ContactSearch {
  public:
-  // Replaces Model::contacts by the candidates of the next step, in order of (vertex, edge). Contacts that go
+  // Replaces the contacts of what is awake by the candidates of the next step, in order of (vertex, edge). Contacts that go
   // on keep their state; one that hands over to a neighbouring edge or to its partner's vertex passes it on.
   void update(Model& model, double dt);
+  // Pairs of blocks that came near each other in the last search. Kept where something may sleep.
+  const std::vector<std::pair<int, int>>& near() const { return near_; }
   // The surface is found anew: states of joints were set from outside.
   void forget() {
     intact_joints_ = -1;
@@ -53,6 +55,7 @@ class ContactSearch {
   double time_ = 0, last_dt_ = 0;    // s, of the last search of another time, and the accepted step since
   std::vector<double> seen_;         // places and velocities of the last search
   double seen_dt_ = 0;
+  std::vector<std::pair<int, int>> near_;
   std::unordered_set<std::int64_t> bonded_;  // pairs glued along an edge, or round a corner they share
 };
 

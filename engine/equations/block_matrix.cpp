@@ -41,6 +41,24 @@ bool BlockMatrix::set_pattern(const std::vector<int>& sizes, std::vector<std::pa
   return true;
 }
 
+bool BlockMatrix::take_part(const BlockMatrix& whole, const std::vector<int>& blocks, const std::vector<int>& place) {
+  std::vector<int> sizes;
+  std::vector<std::pair<int, int>> pairs;
+  for (const int b : blocks) {
+    sizes.push_back(whole.sizes_[b]);
+    for (int p = whole.pair_begin_[b]; p < whole.pair_begin_[b + 1]; ++p)
+      pairs.push_back({place[b], place[whole.pairs_[p].second]});
+  }
+  const bool changed = set_pattern(sizes, std::move(pairs));
+  double* to = values.data();
+  for (const int b : blocks) {  // a block's columns lie together, and in the same order
+    const int first = whole.begin_[b];
+    to = std::copy(&whole.values[whole.column_begin_[first]],
+                   &whole.values[whole.column_begin_[first + whole.sizes_[b]]], to);
+  }
+  return changed;
+}
+
 BlockMatrix::Slot BlockMatrix::slot(int a, int b) const {
   if (a == b) return {a, a, 0};
   const auto [column, row] = std::minmax(a, b);

@@ -17,6 +17,9 @@ class BlockMatrix {
   // sizes: unknowns of each block (0 allowed). pairs: blocks that may couple, in any order, repeats allowed.
   // Returns whether the pattern changed; slots stay valid while it does not.
   bool set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs);
+  // Becomes the part of `whole` that `blocks` (rising) make up, which couple to no others. place: number of each of them in
+  // the part. Returns whether the pattern changed.
+  bool take_part(const BlockMatrix& whole, const std::vector<int>& blocks, const std::vector<int>& place);
 
   // Where the (row block, column block) submatrix lies; row > column, or equal for the diagonal.
   struct Slot {

@@ -34,6 +34,15 @@ Vec2 body_force(const Model& model, int region, double density, double t) {
   return density * model.scene.gravity + Vec2(own[0].at(t), own[1].at(t));
 }
 
+void add_hold(const Model& model, const std::vector<double>& hold, System& system) {
+  for (size_t b = 0; b < hold.size(); ++b) {
+    if (model.shapes[b].dofs == 0) continue;
+    const Material& material = model.material(int(b));
+    const double own_rate2 = material.young / (material.density * model.extent * model.extent);
+    system.matrix.add(system.matrix.slot(int(b), int(b)), false, DofMatrix(hold[b] * own_rate2 * mass_matrix(model, int(b))));
+  }
+}
+
 void add_block_terms(const Model& model, const Poses& poses, const Scheme& scheme, System& system) {
   std::vector<Mat3> elasticity_of;
   for (const Material& material : model.scene.materials) elasticity_of.push_back(elasticity(material));
@@ -43,12 +52,10 @@ void add_block_terms(const Model& model, const Poses& poses, const Scheme& schem
 
   for (size_t b = 0; b < model.shapes.size(); ++b) {
     const BlockShape& shape = model.shapes[b];
-    if (shape.dofs == 0) continue;
+    if (shape.dofs == 0 || model.sleeps(int(b))) continue;
     const Pose& pose = poses.blocks[b];
     const DofMatrix mass = mass_matrix(model, int(b));
-    const Material& material = model.scene.materials[shape.material];
-    const double own_rate2 = material.young / (material.density * model.extent * model.extent);
-    DofMatrix k = (scheme.inertia + scheme.hold * own_rate2) * mass;
+    DofMatrix k = scheme.inertia * mass;
     DofColumn f = DofColumn::Zero();
     f.head<2>() = model.mass(int(b)) * model.scene.gravity + shape.area * own_force[shape.region];
     if (shape.dofs > 3) {

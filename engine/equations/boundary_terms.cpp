@@ -4,11 +4,13 @@ namespace talus {
 
 void each_load(const Model& model, const Poses& poses, double time, const LoadVisitor& visit) {
   for (const PointForce& point : model.point_forces) {
+    if (model.sleeps(point.block)) continue;
     const PointLoad& load = model.scene.point_loads[point.load];
     visit(point.block, poses.blocks[point.block].place(point.in_block),
           point.share * Vec2(load.force[0].at(time), load.force[1].at(time)));
   }
   for (const EdgeForce& edge : model.edge_forces) {
+    if (model.sleeps(edge.block)) continue;
     const EdgeLoad& load = model.scene.edge_loads[edge.load];
     const Pose& pose = poses.blocks[edge.block];
     const Vec2 from = pose.place(edge.in_block[0]), to = pose.place(edge.in_block[1]);
@@ -22,13 +24,15 @@ void each_load(const Model& model, const Poses& poses, double time, const LoadVi
 void move_held_blocks(Model& model, double dt) {
   for (size_t b = 0; b < model.shapes.size(); ++b) {
     if (model.shapes[b].dofs > 0) continue;
-    BlockState& state = model.blocks[b];
-    state.velocity.fill(0);
-    if (model.held_by[b] < 0 || dt == 0) continue;
-    const Fixity& fixity = model.scene.fixities[model.held_by[b]];
-    const Vec2 v = (fixity_displacement(fixity, model.time + dt) - state.shift) / dt;
-    state.velocity = {v.x(), v.y(), fixity.spin * model.shapes[b].length};
+    model.blocks[b].velocity = held_velocity(model, int(b), dt);
   }
+}
+
+std::array<double, max_dofs> held_velocity(const Model& model, int block, double dt) {
+  if (model.held_by[block] < 0 || dt == 0) return {};
+  const Fixity& fixity = model.scene.fixities[model.held_by[block]];
+  const Vec2 v = (fixity_displacement(fixity, model.time + dt) - model.blocks[block].shift) / dt;
+  return {v.x(), v.y(), fixity.spin * model.shapes[block].length};
 }
 
 void place_held_blocks(Model& model) {

@@ -8,11 +8,12 @@ namespace talus {
 
 // Gives wholly held blocks the velocity that takes them to where their fixity wants them at the step's end.
 void move_held_blocks(Model& model, double dt);
+std::array<double, max_dofs> held_velocity(const Model& model, int block, double dt);
 
 // Equilibrium: held blocks where their fixity wants them at Model::time.
 void place_held_blocks(Model& model);
 
-// Each force (N/m) of the loads at `time` on a block, and the place where it acts. A pressure follows its edge: it pushes
+// Each force (N/m) of the loads at `time` on a block that is awake, and the place where it acts. A pressure follows its edge: it pushes
 // along the inward normal of the edge as it lies now.
 using LoadVisitor = std::function<void(int block, const Vec2& at, const Vec2& force)>;
 void each_load(const Model& model, const Poses& poses, double time, const LoadVisitor& visit);

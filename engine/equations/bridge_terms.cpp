@@ -126,6 +126,7 @@ void BridgeTerms::add(const Model& model, const Poses& poses, const Scheme& sche
   const Ends ends(model, scheme.dt);
   for (const Slots& slots : slots_) {
     const Joint& joint = model.joints[slots.joint];
+    if (model.sleeps(joint.a) || model.sleeps(joint.b)) continue;
     const Pose &a = poses.blocks[joint.a], &b = poses.blocks[joint.b];
     const Vec2 n = turned_normal(joint, a, b), t = perp(n);
     const Jump jump(model, ends, joint, scheme);

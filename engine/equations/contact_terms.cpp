@@ -10,11 +10,11 @@ constexpr double near_part = 1e-3;
 }
 
 void ContactTerms::linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick,
-                             double nearness) {
+                             const std::vector<double>& nearness) {
   factor_ = scheme.contact_d;
-  rows_.resize(model.contacts.size());
+  rows_.resize(model.contacts.size() - size_t(model.sleeping_contacts));
   for (size_t k = 0; k < rows_.size(); ++k) {
-    const Contact& contact = model.contacts[k];
+    const Contact& contact = model.contacts[size_t(model.sleeping_contacts) + k];
     const Strength strength = model.contact_strength(contact);
     const BlockShape &shape_i = model.shapes[contact.i], &shape_j = model.shapes[contact.j];
     const Pose &pose_i = poses.blocks[contact.i], &pose_j = poses.blocks[contact.j];
@@ -25,7 +25,9 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     const Vec2 foot = at - gap * normal;
 
     ContactRows& row = rows_[k];
-    row.contact = int(k);
+    row.contact = model.sleeping_contacts + int(k);
+    row.i = contact.i;
+    row.j = contact.j;
     row.dof_i = shape_i.dof_begin;
     row.dof_j = shape_j.dof_begin;
     row.size_i = shape_i.dofs;
@@ -46,16 +48,29 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     row.cohesion = strength.cohesion * contact.length;
     const double pushed = near_part * std::min(shape_i.length, shape_j.length) +
                           0.5 * scheme.contact_v * std::hypot(approach, sliding);
-    row.near = scheme.dt == 0 || contact.normal_force > 0 || row.gap0 <= nearness * pushed;
+    const double widened = nearness.empty() ? 1 : std::max(nearness[contact.i], nearness[contact.j]);
+    row.near = scheme.dt == 0 || contact.normal_force > 0 || row.gap0 <= widened * pushed;
   }
 }
 
-void ContactTerms::find_slots(const BlockMatrix& matrix, const Model& model) {
-  slots_.clear();
-  for (const ContactRows& row : rows_) {
-    const Contact& c = model.contacts[row.contact];
-    slots_.push_back(row.near ? Slots{matrix.slot(c.i, c.i), matrix.slot(c.j, c.j), matrix.slot(c.i, c.j)} : Slots{});
+void ContactTerms::take_part(const ContactTerms& whole, std::span<const int> rows, const std::vector<int>& place,
+                             const std::vector<int>& dof_begin) {
+  factor_ = whole.factor_;
+  rows_.clear();
+  for (const int k : rows) {
+    ContactRows& row = rows_.emplace_back(whole.rows_[k]);
+    row.i = place[row.i];
+    row.j = place[row.j];
+    row.dof_i = dof_begin[row.i];
+    row.dof_j = dof_begin[row.j];
   }
+}
+
+void ContactTerms::find_slots(const BlockMatrix& matrix) {
+  slots_.clear();
+  for (const ContactRows& row : rows_)
+    slots_.push_back(row.near ? Slots{matrix.slot(row.i, row.i), matrix.slot(row.j, row.j), matrix.slot(row.i, row.j)}
+                              : Slots{});
 }
 
 void ContactTerms::add_stiffness(BlockMatrix& matrix, const std::vector<char>& closed,

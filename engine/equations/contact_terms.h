@@ -2,12 +2,15 @@
 // Contacts at the configuration of linearisation: what each feels of the unknowns, and the law between gap,
 // sliding and force. The law is a spring pressed by max(0, -(gap + offset)), and a shear spring whose force
 // returns to the Coulomb cone |t| <= N tan φ + c·length (return mapping; the elastic part is kept as `stretch`).
+#include <span>
+
 #include "equations/system.h"
 
 namespace talus {
 
 struct ContactRows {
   Row normal_i, normal_j, shear_i, shear_j;  // change of gap and of sliding under unit unknowns
+  int i, j;  // blocks
   int dof_i, dof_j, size_i, size_j;
   double gap0, slide0;  // gap and stretch at d = 0, velocities carried to where contacts are judged
   double kn, ks;        // N/m
@@ -29,11 +32,15 @@ struct ContactRows {
 
 class ContactTerms {
  public:
-  // `stick`: no joint slides (the settled start). Near is what the velocities bring to within `nearness` times what a
+  // Of what is awake. `stick`: no joint slides (the settled start). Near is what the velocities bring to within `nearness` times what a
   // contact's neighbours may push it in the step, taken as half of its own relative motion and near_part of the smaller
-  // block's √area.
-  void linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick, double nearness);
-  void find_slots(const BlockMatrix& matrix, const Model& model);
+  // block's √area. Per block, the larger counts; empty: 1.
+  void linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick,
+                 const std::vector<double>& nearness);
+  // Becomes the listed rows of `whole`, between the blocks that `place` numbers, whose unknowns begin at `dof_begin`.
+  void take_part(const ContactTerms& whole, std::span<const int> rows, const std::vector<int>& place,
+                 const std::vector<int>& dof_begin);
+  void find_slots(const BlockMatrix& matrix);
   // matrix += contact_d Σ kn n nᵀ over `closed` and ks s sᵀ over `stuck`.
   void add_stiffness(BlockMatrix& matrix, const std::vector<char>& closed, const std::vector<char>& stuck) const;
 

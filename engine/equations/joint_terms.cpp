@@ -82,7 +82,7 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
   const Ends ends(model, scheme.dt);
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
-    if (joint.state != JointState::intact) continue;
+    if (joint.state != JointState::intact || model.sleeps(joint.a) || model.sleeps(joint.b)) continue;
     const Side a = side_of(model, poses.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
     const Side b = side_of(model, poses.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
     const bool exact = joint.kind == BondKind::exact;
@@ -161,9 +161,10 @@ double JointTerms::energy_of(const Model& model, int j, const Pose& pose_a, cons
 
 void JointTerms::store_tractions(Model& model) const {
   Poses now;
-  now.predict(model, Scheme::equilibrium(0));
+  now.predict(model, Scheme::equilibrium());
   for (size_t j = 0; j < model.joints.size(); ++j) {
     Joint& joint = model.joints[j];
+    if (model.sleeps(joint.a) || model.sleeps(joint.b)) continue;
     const Side a = side_of(model, now.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
     const Side b = side_of(model, now.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
     const Vec2 n = turned_normal(joint, a.pose, b.pose);

@@ -4,13 +4,16 @@
 
 namespace talus {
 
-// All blocks at both ends of the step, flown once for all their bonds.
+// All blocks that are awake at both ends of the step, flown once for all their bonds.
 struct Ends {
   std::vector<Pose> start, end;
   Ends(const Model& model, double dt) {
+    start.resize(model.blocks.size());
+    end.resize(model.blocks.size());
     for (int b = 0; b < int(model.blocks.size()); ++b) {
-      start.push_back(flown(model, b, 0));
-      end.push_back(flown(model, b, dt));
+      if (model.sleeps(b)) continue;
+      start[b] = flown(model, b, 0);
+      end[b] = flown(model, b, dt);
     }
   }
 };

@@ -23,6 +23,7 @@ void Poses::predict(const Model& model, const Scheme& scheme) {
   blocks.resize(model.blocks.size());
   vertex.resize(model.reference_vertex.size());
   for (size_t b = 0; b < blocks.size(); ++b) {
+    if (model.sleeps(int(b))) continue;
     blocks[b] = flown(model, int(b), scheme.mid);
     const BlockShape& shape = model.shapes[b];
     for (int i = shape.vertex_begin; i < shape.vertex_end; ++i) vertex[i] = blocks[b].place(model.reference_vertex[i]);

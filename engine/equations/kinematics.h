@@ -66,7 +66,7 @@ inline double dot(const Row& row, const double* values, int count) {
 Pose flown(const BlockShape& shape, const BlockState& state, double seconds);
 Pose flown(const Model& model, int block, double seconds);
 
-// All of them at the configuration of linearisation.
+// All that are awake at the configuration of linearisation.
 struct Poses {
   std::vector<Pose> blocks;
   std::vector<Vec2> vertex;

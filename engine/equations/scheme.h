@@ -16,7 +16,6 @@ struct Scheme {
   double dt = 0;         // s
   double mid = 0;        // s, from the start to the configuration of linearisation
   double inertia = 0;    // 1/s2
-  double hold = 0;       // equilibrium: inertia in units of a block's own (wave speed / size of the scene)²
   double velocity_d = 0; // 1/s
   double step_v = 0, move_d = 0;
   double bond_v = 0, bond_d = 0;
@@ -62,11 +61,9 @@ struct Scheme {
     return s;
   }
 
-  // Equilibrium: no velocities. `hold` keeps what nothing holds from running away; 0 for none. It goes with a
-  // block's stiffness, not its mass: a heavy block on a light one settles as fast as the other way round.
-  static Scheme equilibrium(double hold) {
+  // Equilibrium: no velocities.
+  static Scheme equilibrium() {
     Scheme s;
-    s.hold = hold;
     s.move_d = s.bond_d = s.contact_d = 1;
     return s;
   }

@@ -70,6 +70,7 @@ void Supports::prepare(const Model& model, const std::vector<double>& edge_stiff
 
 void Supports::add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const {
   for (const SupportPoint& point : points_) {
+    if (model.sleeps(point.block)) continue;
     const Pose& pose = poses.blocks[point.block];
     const auto [t, s, gap, traction] = held_at(model, point, pose, scheme);
     const double w = point.weight, k = point.stiffness;
@@ -103,6 +104,7 @@ Supports::Work Supports::work(const Model& model, const Poses& poses, const Sche
                               const std::vector<BlockState>& moved, double ahead0, double ahead1) const {
   Work sum;
   for (const SupportPoint& point : points_) {
+    if (model.sleeps(point.block)) continue;
     const Fixity& fixity = model.scene.fixities[point.fixity];
     const auto [t, s, gap, traction] = held_at(model, point, poses.blocks[point.block], scheme);
     const Mat2 held = held_directions(fixity);

@@ -48,12 +48,30 @@ Vec3 Model::stress(int block) const {
 
 void Model::place_vertices() {
   vertex.resize(reference_vertex.size());
-  for (size_t b = 0; b < shapes.size(); ++b) {
-    const BlockState& state = blocks[b];
-    const Rotation rotation = Rotation::of(state.angle);
-    for (int v = shapes[b].vertex_begin; v < shapes[b].vertex_end; ++v)
-      vertex[v] = state.centroid + rotation.turn(stretched(state.strain, reference_vertex[v]));
-  }
+  for (int b = 0; b < int(shapes.size()); ++b) place_vertices(b);
+}
+
+void Model::place_vertices(int block) {
+  const BlockState& state = blocks[block];
+  const Rotation rotation = Rotation::of(state.angle);
+  for (int v = shapes[block].vertex_begin; v < shapes[block].vertex_end; ++v)
+    vertex[v] = state.centroid + rotation.turn(stretched(state.strain, reference_vertex[v]));
+}
+
+void Model::changed() {
+  ++revision;
+  if (std::all_of(asleep.begin(), asleep.end(), [](int group) { return group == 0; })) return;
+  std::fill(asleep.begin(), asleep.end(), 0);
+  order_contacts();
+}
+
+void Model::order_contacts() {
+  const auto awake = std::partition(contacts.begin(), contacts.end(), [this](const Contact& c) { return sleeps(c); });
+  const auto by_key = [](const Contact& a, const Contact& b) { return a.key() < b.key(); };
+  std::sort(contacts.begin(), awake, by_key);
+  std::sort(awake, contacts.end(), by_key);
+  sleeping_contacts = int(awake - contacts.begin());
+  ++sleep_changes;
 }
 
 int Model::contact_property(int a, int b) const {

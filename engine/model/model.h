@@ -172,7 +172,13 @@ class Model {
   Vec2 origin = Vec2::Zero();
   double extent = 1;  // m, half the height of the scene's box (half the width where it is flat)
   double time = 0;
-  long revision = 0;  // raised by whoever changes materials or joint properties between steps
+  long revision = 0;  // raised by changed()
+
+  // Per block, the number of the group it sleeps in, or 0: awake. Empty where the scene does not let anything sleep
+  // (step/sleep.h). The contacts of what sleeps stand first in `contacts`, each part in the order of key().
+  std::vector<int> asleep;
+  int sleeping_contacts = 0;
+  long sleep_changes = 0;  // raised whenever others sleep: for what is derived from it
 
   std::vector<BlockShape> shapes;
   std::vector<BlockState> blocks;
@@ -195,6 +201,12 @@ class Model {
   int next_vertex(int block, int local) const { return local + 1 == vertex_count(block) ? 0 : local + 1; }
   const Material& material(int block) const { return scene.materials[shapes[block].material]; }
 
+  bool sleeps(int block) const { return !asleep.empty() && asleep[block] != 0; }
+  bool sleeps(const Contact& c) const { return sleeps(c.i) || sleeps(c.j); }
+  // To be called by whoever changes materials, joint properties, loads, supports or velocities between steps: all wake.
+  void changed();
+  void order_contacts();  // after a change of `asleep`
+
   // Place of the material point `in_block` (from the reference centroid): c + R (I + e) X.
   Vec2 place(int block, const Vec2& in_block) const;
   Vec2 velocity_at(int block, const Vec2& point) const;
@@ -203,6 +215,7 @@ class Model {
   double mass(int block) const { return material(block).density * shapes[block].area; }
   Vec3 stress(int block) const;       // sxx, syy, sxy, global axes, raw (constant in a first-order block)
   void place_vertices();              // vertex from blocks
+  void place_vertices(int block);
   int contact_property(int a, int b) const;
   Strength strength(const Joint& joint) const;            // of the intact bond
   Strength contact_strength(const Contact& contact) const;

@@ -7,6 +7,8 @@ void visit_state(Model& model, StateVisitor& v) {
   v("blocks", model.blocks);
   v("joints", model.joints);
   v.growing("contacts", model.contacts);
+  v.growing("asleep", model.asleep);
+  v("sleeping_contacts", model.sleeping_contacts);
   visit_values(model.scene, v);
   v.constant("origin", model.origin);
   v.constant("extent", model.extent);
@@ -19,7 +21,7 @@ void visit_state(Model& model, StateVisitor& v) {
   v.constant("edge_fixities", model.edge_fixities);
   v.constant("point_forces", model.point_forces);
   v.constant("edge_forces", model.edge_forces);
-  // vertex comes from blocks, fragment from joints; revision only tells that something changed.
+  // vertex comes from blocks, fragment from joints; revision and sleep_changes only tell that something changed.
 }
 
 void visit_values(Scene& scene, StateVisitor& v) {

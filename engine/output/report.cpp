@@ -31,6 +31,9 @@ void add_totals(Json& json, const RunTotals& totals) {
   json.whole("steps", totals.steps).whole("iterations", totals.iterations);
   json.whole("largest_iterations", totals.largest_iterations).whole("step_cuts", totals.cuts);
   json.whole("steps_at_rest", totals.steps_at_rest).whole("steps_by_sweeps", totals.steps_by_sweeps);
+  json.object("islands").whole("at_rest", totals.islands.at_rest).whole("single", totals.islands.single);
+  json.whole("by_sweeps", totals.islands.by_sweeps).whole("with_factor", totals.islands.with_factor);
+  json.whole("asleep", totals.islands.asleep).end();
   json.whole("sweeps", totals.sweeps).whole("factorisations", totals.factorisations).number("largest_residual", totals.largest_residual);
 }
 

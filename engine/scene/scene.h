@@ -179,6 +179,9 @@ struct TimeControl {
   long max_steps = 0;           // 0: no bound
 };
 
+// How the contacts of an island are solved in motion; see OpenClose.
+enum class ContactSolver { automatic, factor, sweeps };
+
 struct Numerics {
   std::string profile = "default";
   Integrator integrator = Integrator::theta;
@@ -188,6 +191,9 @@ struct Numerics {
   double static_tolerance = 1e-8;  // out-of-balance force / force scale
   int max_iterations = 60;         // open–close iterations before the step is cut
   int threads = 1;
+  bool islands = true;             // what does not touch is solved apart
+  bool sleeping = false;           // islands at rest are left out of the step until something comes near
+  ContactSolver solver = ContactSolver::automatic;
   bool recovery = true;            // smoothed stress for output and probes beside the raw block stress
 };
 

@@ -102,7 +102,7 @@ int native_update(lua_State* L) {
   run.refuse_inside_step(L, "a change of a " + std::string(luaL_checkstring(L, 5)));
   const auto index = static_cast<int>(luaL_checkinteger(L, 3)) - 1;
   update_scene(run.simulation.model.scene, luaL_checkstring(L, 2), index, TableReader(L, 4));
-  ++run.simulation.model.revision;
+  run.simulation.model.changed();
   return 0;
 }
 

@@ -236,6 +236,10 @@ Numerics read_numerics(const TableReader& t) {
   t.read("static_tolerance", n.static_tolerance);
   t.read("max_iterations", n.max_iterations);
   t.read("threads", n.threads);
+  t.read("islands", n.islands);
+  t.read("sleeping", n.sleeping);
+  read_enum(t, "solver", {{"auto", ContactSolver::automatic}, {"factor", ContactSolver::factor}, {"sweeps", ContactSolver::sweeps}},
+            n.solver);
   t.read("recovery", n.recovery);
   return n;
 }

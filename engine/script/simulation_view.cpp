@@ -63,6 +63,15 @@ void push_energy(lua_State* L, Simulation& simulation) {
   set_number(L, "scale", energies.scale);
 }
 
+void push_islands(lua_State* L, const IslandCounts& islands) {
+  lua_createtable(L, 0, 4);
+  set_integer(L, "at_rest", islands.at_rest);
+  set_integer(L, "single", islands.single);
+  set_integer(L, "by_sweeps", islands.by_sweeps);
+  set_integer(L, "with_factor", islands.with_factor);
+  set_integer(L, "asleep", islands.asleep);
+}
+
 void push_totals(lua_State* L, const Simulation& simulation) {
   const RunTotals& totals = simulation.totals;
   lua_createtable(L, 0, 10);
@@ -70,6 +79,8 @@ void push_totals(lua_State* L, const Simulation& simulation) {
   set_integer(L, "steps_at_rest", totals.steps_at_rest);
   set_integer(L, "steps_by_sweeps", totals.steps_by_sweeps);
   set_integer(L, "sweeps", totals.sweeps);
+  push_islands(L, totals.islands);
+  lua_setfield(L, -2, "islands");
   set_integer(L, "iterations", totals.iterations);
   set_integer(L, "cuts", totals.cuts);
   set_integer(L, "factorisations", totals.factorisations);

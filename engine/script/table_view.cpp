@@ -232,7 +232,7 @@ int item_set(lua_State* L) {
       lua_pop(L, 1);
     }
   }
-  ++model.revision;
+  model.changed();
   return 0;
 }
 

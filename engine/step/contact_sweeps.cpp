@@ -41,23 +41,17 @@ ContactSweeps::Forces coulomb(double gap0, double slide0, double nn, double ns, 
 
 }  // namespace
 
-void ContactSweeps::start(const Model& model, const System& system, const ContactTerms& contacts) {
-  model_ = &model;
-  terms_ = &contacts;
-  factor_ = contacts.factor();
-  const int count = int(model.shapes.size());
+void ContactSweeps::start(const ContactProblem& problem, bool swept) {
+  problem_ = &problem;
+  const System& system = problem.system;
+  factor_ = problem.contacts.factor();
+  const int count = int(problem.blocks.size());
   std::vector<char> loose(count);
-  for (int b = 0; b < count; ++b) loose[b] = model.shapes[b].dofs > 0;
-  whole_ = true;
-  const auto held_by_bond = [&](int b) {
-    if (model.shapes[b].dofs > 0) whole_ = false;
-    loose[b] = false;
-  };
-  for (const Joint& joint : model.joints)
-    if (joint.state == JointState::intact) {
-      held_by_bond(joint.a);
-      held_by_bond(joint.b);
-    }
+  whole_ = swept;
+  for (int b = 0; b < count; ++b) {
+    loose[b] = swept && problem.dofs[b] > 0 && !problem.bonded[b];
+    if (problem.dofs[b] > 0 && problem.bonded[b]) whole_ = false;
+  }
   blocks_.clear();
   std::vector<int> place(count, -1);
   for (int b = 0; b < count; ++b)
@@ -70,17 +64,17 @@ void ContactSweeps::start(const Model& model, const System& system, const Contac
   force_.assign(loose_count + 1, DofColumn::Zero());
   motion_.assign(loose_count + 1, DofColumn::Zero());
   for (size_t l = 0; l < loose_count; ++l) {
-    const BlockShape& shape = model.shapes[blocks_[l]];
+    const int dofs = problem.dofs[blocks_[l]];
     DofMatrix matrix = DofMatrix::Identity();
     system.matrix.diagonal(blocks_[l], matrix);
     inverse_[l] = matrix.inverse();
-    for (int k = shape.dofs; k < max_dofs; ++k) inverse_[l](k, k) = 0;
-    force_[l].head(shape.dofs) = system.force.segment(shape.dof_begin, shape.dofs);
+    for (int k = dofs; k < max_dofs; ++k) inverse_[l](k, k) = 0;
+    force_[l].head(dofs) = system.force.segment(problem.dof_begin[blocks_[l]], dofs);
   }
   contacts_.clear();
-  const auto& rows = contacts.rows();
+  const auto& rows = problem.contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
-    const Contact& c = model.contacts[k];
+    const ContactRows& c = rows[k];
     if (!rows[k].near || (!loose[c.i] && !loose[c.j])) continue;
     const ContactRows& row = rows[k];
     Link link{};
@@ -163,7 +157,7 @@ void ContactSweeps::mix(const std::vector<Forces>& from, Mixing& mixing) {
 
 ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, Carry carry, std::vector<double>& normal,
                                            std::vector<double>& shear, Vector& d) {
-  const auto& rows = terms_->rows();
+  const auto& rows = problem_->contacts.rows();
   const int loose = int(blocks_.size());
   for (Link& link : contacts_) {
     const ContactRows& row = rows[link.contact];
@@ -237,8 +231,8 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, C
     shear[link.contact] = link.t;
   }
   for (int l = 0; l < loose; ++l) {
-    const BlockShape& shape = model_->shapes[blocks_[l]];
-    d.segment(shape.dof_begin, shape.dofs) = motion_[l].head(shape.dofs);
+    const int dofs = problem_->dofs[blocks_[l]];
+    d.segment(problem_->dof_begin[blocks_[l]], dofs) = motion_[l].head(dofs);
   }
   return progress;
 }

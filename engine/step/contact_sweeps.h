@@ -5,7 +5,7 @@
 // neighbours depend on each other, so what waves cannot cross in a step converges in a few sweeps, without a factor.
 // Between pairs of sweeps the forces are carried on: by Nesterov's momentum (1983) with restart (O'Donoghue & Candès 2015), or by
 // Anderson's mixing, dearer and surer.
-#include "equations/contact_terms.h"
+#include "step/contact_problem.h"
 #include "step/mixing.h"
 
 namespace talus {
@@ -17,8 +17,8 @@ class ContactSweeps {
     double n, t;
   };
 
-  // Takes the loose blocks of the step and the contacts on them. O(blocks + contacts).
-  void start(const Model& model, const System& system, const ContactTerms& contacts);
+  // Takes the loose blocks of the problem and the contacts on them, or none: they are not to be swept. O(blocks + contacts).
+  void start(const ContactProblem& problem, bool swept = true);
   bool empty() const { return contacts_.empty(); }
   // Whether every block with unknowns is loose, so that sweeps alone can solve the step.
   bool whole() const { return whole_; }
@@ -51,11 +51,10 @@ class ContactSweeps {
   void mix(const std::vector<Forces>& from, Mixing& mixing);
 
   std::vector<Link> contacts_;
-  std::vector<int> blocks_;               // ids of loose blocks
+  std::vector<int> blocks_;               // of the problem, the loose ones
   std::vector<DofMatrix> inverse_;
   std::vector<DofColumn> force_, motion_;  // of loose blocks, and a zero at the end
-  const ContactTerms* terms_ = nullptr;
-  const Model* model_ = nullptr;
+  const ContactProblem* problem_ = nullptr;
   double factor_ = 1;
   bool whole_ = false;
 };

@@ -1,6 +1,7 @@
 #include "step/ledger.h"
 
 #include <cmath>
+#include <span>
 
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
@@ -29,7 +30,7 @@ double elastic_loss(const BookedStep& s) {
   double inertial = 0;
   for (int b = 0; b < int(model.blocks.size()); ++b) {
     const BlockShape& shape = model.shapes[b];
-    if (shape.dofs == 0) continue;
+    if (shape.dofs == 0 || model.sleeps(b)) continue;
     const DofColumn v0 = velocity_of(model, b), d = solution_of(model, b, s.d);
     const DofColumn own = s.scheme.step_v * v0 + s.scheme.move_d * d;
     const DofColumn own_w = s.scheme.bond_v * v0 + (s.scheme.bond_d - s.scheme.move_d / 2) * d;
@@ -103,7 +104,7 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   });
   for (int b = 0; b < int(model.blocks.size()); ++b) {
     const BlockShape& shape = model.shapes[b];
-    if (shape.dofs == 0) continue;
+    if (shape.dofs == 0 || model.sleeps(b)) continue;
     const DofColumn step = s.scheme.step_v * velocity_of(model, b) + s.scheme.move_d * solution_of(model, b, s.d);
     ledger.gravity_work += model.mass(b) * model.scene.gravity.dot(step.head<2>());
     const auto& own = model.scene.regions[shape.region].body_force;
@@ -132,7 +133,7 @@ double bend(const Model& model, const Contact& c, double seconds) {
 }
 
 ContactBooking::ContactBooking(const Model& model, double ahead0, double seconds) {
-  for (const Contact& c : model.contacts) {
+  for (const Contact& c : std::span(model.contacts).subspan(size_t(model.sleeping_contacts))) {
     if (seconds == 0) {  // equilibrium: friction alone
       before_.push_back({0, 0, c.stretch, c.slip, false});
       continue;
@@ -153,7 +154,7 @@ ContactBooking::ContactBooking(const Model& model, double ahead0, double seconds
 void ContactBooking::book(const Model& model, const std::vector<ContactRows>& rows, const Scheme& scheme,
                           const Vector& d, Ledger& ledger) const {
   for (size_t k = 0; k < before_.size(); ++k) {
-    const Contact& c = model.contacts[k];
+    const Contact& c = model.contacts[size_t(model.sleeping_contacts) + k];
     const Before& b = before_[k];
     if ((c.normal_force > 0 || b.pressed > 0) && !b.handed) {
       const double pressed = c.normal_force / c.normal_stiffness;
@@ -182,7 +183,7 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
 
 void ContactBooking::book_friction(const Model& model, Ledger& ledger) const {
   for (size_t k = 0; k < before_.size(); ++k) {
-    const Contact& c = model.contacts[k];
+    const Contact& c = model.contacts[size_t(model.sleeping_contacts) + k];
     if (c.state == ContactState::slip)
       ledger.friction_work += std::abs(c.shear_force * (c.slip - before_[k].slip));
   }
@@ -203,7 +204,7 @@ std::vector<Vec2> support_reactions(const Model& model, const Supports& supports
 
 std::vector<LoadStepBooking::Force> LoadStepBooking::forces(const Model& model, double time) {
   Poses now;
-  now.predict(model, Scheme::equilibrium(0));
+  now.predict(model, Scheme::equilibrium());
   std::vector<Force> all;
   each_load(model, now, time, [&](int, const Vec2& at, const Vec2& force) { all.push_back({force, at}); });
   for (size_t b = 0; b < model.blocks.size(); ++b)

@@ -55,7 +55,7 @@ struct BookedStep {  // what an accepted step was solved with; the model is stil
 // Forces that do not come from contacts, and the loss of bulk, bonds and supports.
 void book_motion(const BookedStep& step, Ledger& ledger);
 
-// Contacts before and after a step; `ahead0`: ahead of the step before.
+// Contacts of what is awake before and after a step; `ahead0`: ahead of the step before.
 class ContactBooking {
  public:
   ContactBooking(const Model& model, double ahead0, double seconds);

@@ -7,85 +7,102 @@ namespace talus {
 
 namespace {
 
-// Cost of a factor in pairs of sweeps, measured on packings: 6 µs a block times √(blocks / 1000) against 80 ns a contact.
+// Cost of a factor in pairs of sweeps, measured on packings: 6 µs a block times √(blocks / 1000) against 80 ns a
+// contact.
 constexpr double factor_per_pair = 75;
 constexpr int least_worth = 10, most_worth = 200;
-constexpr int pairs_between = 100;  // after a step of Newton's, to put its states right: more where fewer would do is cheap
+constexpr int pairs_between =
+    100;  // after a step of Newton's, to put its states right: more where fewer would do is cheap
 constexpr int mixed_pairs = 300;  // where Newton's step has led away
 using Carry = ContactSweeps::Carry;
-constexpr int patience = 3;      // iterations that do not halve the change of the sweeps, before the step is cut
+constexpr int patience = 3;  // iterations that do not halve the change of the sweeps, before the step is cut
 constexpr int pairs_among_bonds = 30;
-constexpr int few = 20;       // one state in so many has changed: the coupled law is tried
-constexpr int most_coupled = 4;  // steps of the coupled law in a row
-constexpr double sweep_tolerance = 1e-13;  // change of a pair, part of all forces: contacts are stiffer than blocks
+constexpr int pairs_alone = 10000;  // where no factor is allowed: as tests/contact gives its candidates
+constexpr int few = 20;             // one state in so many has changed: the coupled law is tried
+constexpr int most_coupled = 4;     // steps of the coupled law in a row
+constexpr double sweep_tolerance =
+    1e-13;  // change of a pair, part of all forces: contacts are stiffer than blocks
 
 }  // namespace
 
-OpenCloseResult OpenClose::solve(const Model& model, System& system, const ContactTerms& contacts,
-                                 LinearSolver& solver, double tolerance, int max_iterations, bool motion, Vector& d) {
+OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d) {
   OpenCloseResult result;
-  d.setZero(system.force.size());
-  start(model, system, contacts);
-  evaluate(contacts, d);
-  if (motion) sweeps_.start(model, system, contacts);
-  if (motion && sweeps_.whole())
-    solve_motion(model, system, contacts, solver, tolerance, max_iterations, d, result);
+  d.setZero(problem.system.force.size());
+  start(problem);
+  evaluate(problem, d);
+  const bool swept = settings.motion && settings.solver != ContactSolver::factor;
+  sweeps_.start(problem, swept);
+  if (sweeps_.whole() && settings.solver == ContactSolver::sweeps)
+    solve_by_sweeps(problem, settings.tolerance, d, result);
+  else if (sweeps_.whole())
+    solve_motion(problem, settings, d, result);
   else
-    solve_bonded(model, system, contacts, solver, tolerance, max_iterations, motion, d, result);
+    solve_bonded(problem, settings, d, result);
   return result;
 }
 
-// Sweeps, and where they are slow Newton's steps from their states, each followed by sweeps from its forces. Where those
-// end farther from rest than the sweeps before, Newton's step has led away: back, and more sweeps.
-void OpenClose::solve_motion(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
-                             double tolerance, int max_iterations, Vector& d,
+// Sweeps, and where they are slow Newton's steps from their states, each followed by sweeps from its forces. Where
+// those end farther from rest than the sweeps before, Newton's step has led away: back, and more sweeps.
+void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
                              OpenCloseResult& result) {
-  const double blocks = double(model.shapes.size()), count = double(std::max<size_t>(contacts.rows().size(), 1));
-  const int worth = std::clamp(int(factor_per_pair * blocks / count * std::sqrt(blocks / 1000)), least_worth, most_worth);
-  result.converged = sweep(model, system, contacts, 3 * worth, worth, Carry::momentum, d, result) <= tolerance;
-  take_states(contacts);
+  const double tolerance = settings.tolerance;
+  const double blocks = double(problem.blocks.size()),
+               count = double(std::max<size_t>(problem.contacts.rows().size(), 1));
+  const int worth =
+      std::clamp(int(factor_per_pair * blocks / count * std::sqrt(blocks / 1000)), least_worth, most_worth);
+  result.converged = sweep(problem, 3 * worth, worth, Carry::momentum, d, result) <= tolerance;
+  take_states(problem);
   double reached = result.sweep_change;
   int in_vain = 0;
-  while (!result.converged && !missed_ && result.iterations < max_iterations && in_vain < patience) {
+  while (!result.converged && !missed_ && result.iterations < settings.max_iterations && in_vain < patience) {
     const std::vector<double> normal = normal_, shear = shear_;
-    if (!factor(system, contacts, solver, result)) return;
+    if (!factor(problem, result)) return;
     ++result.iterations;
-    predict(model, system, contacts, solver, d, result);
+    predict(problem, d, result);
     const auto closed = std::count(closed_.begin(), closed_.end(), 1);
-    for (int k = 0; k < most_coupled && result.residual > tolerance && few * changed_states(contacts) <= closed; ++k)
-      if (!coupled_step(model, system, contacts, solver, tolerance, d, result)) break;
+    for (int k = 0; k < most_coupled && result.residual > tolerance && few * changed_states(problem) <= closed;
+         ++k)
+      if (!coupled_step(problem, tolerance, d, result)) break;
     if ((result.converged = result.residual <= tolerance)) return;
-    take_forces(contacts);
+    take_forces(problem);
     const int pairs = pairs_between * result.iterations;
-    result.converged = sweep(model, system, contacts, pairs, 0, Carry::momentum, d, result) <= tolerance;
+    result.converged = sweep(problem, pairs, 0, Carry::momentum, d, result) <= tolerance;
     if (!result.converged && !missed_ && !(result.sweep_change < reached)) {
       normal_ = normal;
       shear_ = shear;
-      result.converged = sweep(model, system, contacts, mixed_pairs, 0, Carry::mixing, d, result) <= tolerance;
+      result.converged = sweep(problem, mixed_pairs, 0, Carry::mixing, d, result) <= tolerance;
     }
     if (!(result.sweep_change < 0.5 * reached)) ++in_vain;
     reached = result.sweep_change;
-    take_states(contacts);
+    take_states(problem);
   }
   result.missed = !result.converged && missed_;
 }
 
-// Where blocks hang together by bonds, and in equilibrium, where nothing but neighbours holds a block: Newton's steps, of
-// the coupled law where the states have settled, else of the convex potential. In motion loose blocks are then brought
-// to rest among the others by sweeps, where that lowers the residual.
-void OpenClose::solve_bonded(const Model& model, System& system, const ContactTerms& contacts, LinearSolver& solver,
-                             double tolerance, int max_iterations, bool motion, Vector& d,
+// Asked for: no factor, whatever it costs.
+void OpenClose::solve_by_sweeps(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result) {
+  for (const Carry carry : {Carry::momentum, Carry::mixing})
+    if (!result.converged && !(missed_ && carry == Carry::mixing))
+      result.converged = sweep(problem, pairs_alone, 0, carry, d, result) <= tolerance;
+  result.missed = !result.converged && missed_;
+}
+
+// Where blocks hang together by bonds, and in equilibrium, where nothing but neighbours holds a block: Newton's
+// steps, of the coupled law where the states have settled, else of the convex potential. In motion loose blocks
+// are then brought to rest among the others by sweeps, where that lowers the residual.
+void OpenClose::solve_bonded(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
                              OpenCloseResult& result) {
-  const auto& rows = contacts.rows();
-  continue_states(model);
-  while (!result.converged && result.iterations < max_iterations) {
-    if (!factor(system, contacts, solver, result)) return;
+  const double tolerance = settings.tolerance;
+  const auto& rows = problem.contacts.rows();
+  continue_states(problem);
+  while (!result.converged && result.iterations < settings.max_iterations) {
+    if (!factor(problem, result)) return;
     ++result.iterations;
     if (result.iterations == 1)
-      predict(model, system, contacts, solver, d, result);
-    else if (changed_states(contacts) > 0 || !coupled_step(model, system, contacts, solver, tolerance, d, result))
-      convex_step(model, system, contacts, solver, d, result);
-    if (motion && !sweeps_.empty() && result.residual > tolerance) {
+      predict(problem, d, result);
+    else if (changed_states(problem) > 0 || !coupled_step(problem, tolerance, d, result))
+      convex_step(problem, d, result);
+    if (!sweeps_.empty() && result.residual > tolerance) {
       const OpenCloseResult before = result;
       const Vector d0 = d, kd0 = kd_;
       for (size_t k = 0; k < rows.size(); ++k) {
@@ -93,11 +110,11 @@ void OpenClose::solve_bonded(const Model& model, System& system, const ContactTe
         const double limit = friction_limit(rows[k], normal_[k]);
         shear_[k] = std::clamp(rows[k].ks * slide_[k], -limit, limit);
       }
-      sweep(model, system, contacts, pairs_among_bonds, 0, Carry::momentum, d, result);
+      sweep(problem, pairs_among_bonds, 0, Carry::momentum, d, result);
       if (!(result.residual < before.residual)) {
         d = d0;
         kd_ = kd0;
-        arrive(model, system, contacts, d, result);
+        arrive(problem, d, result);
       }
     }
     result.converged = result.residual <= tolerance;
@@ -108,8 +125,8 @@ void OpenClose::solve_bonded(const Model& model, System& system, const ContactTe
 }
 
 // Contacts whose states at d are not those that were solved with.
-int OpenClose::changed_states(const ContactTerms& contacts) const {
-  const auto& rows = contacts.rows();
+int OpenClose::changed_states(const ContactProblem& problem) const {
+  const auto& rows = problem.contacts.rows();
   int changed = 0;
   for (size_t k = 0; k < rows.size(); ++k) {
     if (!closed_[k] && !factored_closed_[k]) continue;
@@ -120,37 +137,39 @@ int OpenClose::changed_states(const ContactTerms& contacts) const {
 }
 
 // The forces of the last solve, cut to what contacts can carry; what has met since carries none yet.
-void OpenClose::take_forces(const ContactTerms& contacts) {
-  const auto& rows = contacts.rows();
+void OpenClose::take_forces(const ContactProblem& problem) {
+  const auto& rows = problem.contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
     normal_[k] = factored_closed_[k] ? normal_force(rows[k], k) : 0;
     const double limit = friction_limit(rows[k], normal_[k]);
-    shear_[k] = factored_stuck_[k] ? std::clamp(rows[k].ks * slide_[k], -limit, limit) : std::copysign(limit, shear_[k]);
+    shear_[k] =
+        factored_stuck_[k] ? std::clamp(rows[k].ks * slide_[k], -limit, limit) : std::copysign(limit, shear_[k]);
   }
 }
 
 // The states of the forces.
-void OpenClose::take_states(const ContactTerms& contacts) {
+void OpenClose::take_states(const ContactProblem& problem) {
   for (size_t k = 0; k < normal_.size(); ++k) {
     closed_[k] = normal_[k] > 0;
-    stuck_[k] = closed_[k] && std::abs(shear_[k]) < (1 - 1e-12) * friction_limit(contacts.rows()[k], normal_[k]);
+    stuck_[k] =
+        closed_[k] && std::abs(shear_[k]) < (1 - 1e-12) * friction_limit(problem.contacts.rows()[k], normal_[k]);
   }
 }
 
-double OpenClose::sweep(const Model& model, const System& system, const ContactTerms& contacts, int most, int worth,
-                        ContactSweeps::Carry carry, Vector& d, OpenCloseResult& result) {
+double OpenClose::sweep(const ContactProblem& problem, int most, int worth, ContactSweeps::Carry carry, Vector& d,
+                        OpenCloseResult& result) {
   const auto progress = sweeps_.run(most, sweep_tolerance, worth, carry, normal_, shear_, d);
   result.sweeps += 2 * progress.pairs;
   result.sweep_change = progress.change;
   kd_.setZero(d.size());
-  system.matrix.multiply(d, kd_);
-  arrive(model, system, contacts, d, result);
+  problem.system.matrix.multiply(d, kd_);
+  arrive(problem, d, result);
   return result.residual;
 }
 
-void OpenClose::continue_states(const Model& model) {
+void OpenClose::continue_states(const ContactProblem& problem) {
   for (size_t k = 0; k < closed_.size(); ++k) {
-    const ContactState state = model.contacts[k].state;
+    const ContactState state = problem.before(k).state;
     closed_[k] = closed_[k] || state != ContactState::open;
     stuck_[k] = closed_[k] && state != ContactState::slip;  // what closes now sticks at first
   }

@@ -1,10 +1,9 @@
 // Newton's steps of open–close.
-#include "step/open_close.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "equations/gmres.h"
+#include "step/open_close.h"
 
 namespace talus {
 
@@ -16,68 +15,67 @@ constexpr double slope_part = 0.05;
 // Products with the matrix in one unsymmetric solve; each costs a back-substitution, a tenth of a factor.
 constexpr int most_products = 40;
 constexpr double least_step = 1.0 / 64;
-constexpr double coarse = 1e-3;  // of the residual: what a solve of the coupled law leaves, as states change anyway
+constexpr double coarse =
+    1e-3;  // of the residual: what a solve of the coupled law leaves, as states change anyway
 
 }  // namespace
 
-bool OpenClose::factor(System& system, const ContactTerms& contacts, LinearSolver& solver, OpenCloseResult& result) {
+bool OpenClose::factor(ContactProblem& problem, OpenCloseResult& result) {
   if (result.iterations > 0 && closed_ == factored_closed_ && stuck_ == factored_stuck_) return true;
-  std::vector<double> linear = system.matrix.values;
-  contacts.add_stiffness(system.matrix, closed_, stuck_);
-  result.singular_block = solver.factor(system.matrix);
-  system.matrix.values.swap(linear);
+  std::vector<double> linear = problem.system.matrix.values;
+  problem.contacts.add_stiffness(problem.system.matrix, closed_, stuck_);
+  const int singular = problem.factor();
+  result.singular_block = singular < 0 ? -1 : problem.blocks[singular];
+  problem.system.matrix.values.swap(linear);
   factored_closed_ = closed_;
   factored_stuck_ = stuck_;
   return result.singular_block < 0;
 }
 
-void OpenClose::multiply(const System& system) {
+void OpenClose::multiply(const ContactProblem& problem) {
   kp_.setZero(p_.size());
-  system.matrix.multiply(p_, kp_);
+  problem.system.matrix.multiply(p_, kp_);
 }
 
-void OpenClose::advance(const Model& model, const System& system, const ContactTerms& contacts, double step, Vector& d,
-                        OpenCloseResult& result) {
+void OpenClose::advance(const ContactProblem& problem, double step, Vector& d, OpenCloseResult& result) {
   d += step * p_;
   kd_ += step * kp_;
-  arrive(model, system, contacts, d, result);
+  arrive(problem, d, result);
 }
 
-void OpenClose::arrive(const Model& model, const System& system, const ContactTerms& contacts, const Vector& d,
-                       OpenCloseResult& result) {
-  evaluate(contacts, d);
-  const auto& rows = contacts.rows();
+void OpenClose::arrive(const ContactProblem& problem, const Vector& d, OpenCloseResult& result) {
+  evaluate(problem, d);
+  const auto& rows = problem.contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) limit_[k] = friction_limit(rows[k], normal_force(rows[k], k));
-  judge_residual(model, system, contacts, 0, result);
+  judge_residual(problem, 0, result);
 }
 
-// The unknowns at the present states: what presses may pull, what sticks has no limit and what slips keeps its force. From
-// the states of the last step, where few change in a step, this is nearly the answer, as it is from those of the sweeps.
-void OpenClose::predict(const Model& model, const System& system, const ContactTerms& contacts, LinearSolver& solver,
-                        Vector& d, OpenCloseResult& result) {
-  r_ = system.force;
-  const auto& rows = contacts.rows();
+// The unknowns at the present states: what presses may pull, what sticks has no limit and what slips keeps its
+// force. From the states of the last step, where few change in a step, this is nearly the answer, as it is from
+// those of the sweeps.
+void OpenClose::predict(ContactProblem& problem, Vector& d, OpenCloseResult& result) {
+  r_ = problem.system.force;
+  const auto& rows = problem.contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
     if (!closed_[k]) continue;
     rows[k].add(rows[k].normal_i, rows[k].normal_j, -rows[k].kn * rows[k].gap0, r_);
     rows[k].add(rows[k].shear_i, rows[k].shear_j, -(stuck_[k] ? rows[k].ks * rows[k].slide0 : shear_[k]), r_);
   }
-  solver.solve(r_, d);
+  problem.solver.solve(r_, d);
   kd_.setZero(d.size());
-  system.matrix.multiply(d, kd_);
-  arrive(model, system, contacts, d, result);
+  problem.system.matrix.multiply(d, kd_);
+  arrive(problem, d, result);
 }
 
 // One Newton step on the convex potential with friction limits frozen, then the limits follow the normal forces. A
 // limit that swings goes half as far each time: at a wedge a higher limit may open the contact that gave it.
-void OpenClose::convex_step(const Model& model, const System& system, const ContactTerms& contacts,
-                            LinearSolver& solver, Vector& d, OpenCloseResult& result) {
-  residual(system, contacts, false, r_);
-  solver.solve(r_, p_);
-  multiply(system);
-  const double step = contacts.rows().empty() ? 1 : line_search(contacts, p_, -r_.dot(p_), p_.dot(kp_));
+void OpenClose::convex_step(ContactProblem& problem, Vector& d, OpenCloseResult& result) {
+  residual(problem, false, r_);
+  problem.solver.solve(r_, p_);
+  multiply(problem);
+  const double step = problem.contacts.rows().empty() ? 1 : line_search(problem, p_, -r_.dot(p_), p_.dot(kp_));
   const std::vector<double> frozen = limit_;
-  advance(model, system, contacts, step, d, result);
+  advance(problem, step, d, result);
   for (size_t k = 0; k < limit_.size(); ++k) {
     const double change = limit_[k] - frozen[k];
     if (!std::isfinite(change)) continue;  // without a bound: the settled start
@@ -87,11 +85,10 @@ void OpenClose::convex_step(const Model& model, const System& system, const Cont
   }
 }
 
-// One Newton step on the coupled law, whose limits follow the normal force: unsymmetric, so by GMRES with the factor
-// of the symmetric part. Kept only if the residual falls; frozen limits alone would converge linearly.
-bool OpenClose::coupled_step(const Model& model, const System& system, const ContactTerms& contacts,
-                             LinearSolver& solver, double tolerance, Vector& d, OpenCloseResult& result) {
-  const auto& rows = contacts.rows();
+// One Newton step on the coupled law, whose limits follow the normal force: unsymmetric, so by GMRES with the
+// factor of the symmetric part. Kept only if the residual falls; frozen limits alone would converge linearly.
+bool OpenClose::coupled_step(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result) {
+  const auto& rows = problem.contacts.rows();
   std::vector<size_t> sticking, slipping;
   for (size_t k = 0; k < rows.size(); ++k)
     if (closed_[k]) {
@@ -100,10 +97,10 @@ bool OpenClose::coupled_step(const Model& model, const System& system, const Con
       if (!sticks && rows[k].friction > 0 && std::isfinite(rows[k].friction)) slipping.push_back(k);
     }
   if (slipping.empty()) return false;
-  const double f = contacts.factor();
+  const double f = problem.contacts.factor();
   const auto apply = [&](const Vector& x, Vector& y) {
     y.setZero(x.size());
-    system.matrix.multiply(x, y);
+    problem.system.matrix.multiply(x, y);
     for (size_t k = 0; k < rows.size(); ++k)
       if (closed_[k])
         rows[k].add(rows[k].normal_i, rows[k].normal_j,
@@ -116,10 +113,11 @@ bool OpenClose::coupled_step(const Model& model, const System& system, const Con
       rows[k].add(rows[k].shear_i, rows[k].shear_j, (slide_[k] > 0 ? -1 : 1) * rows[k].friction * softer, y);
     }
   };
-  residual(system, contacts, true, r_);
+  residual(problem, true, r_);
   const double wanted = std::clamp(0.1 * tolerance / result.residual, coarse, 1e-2);
-  gmres(apply, [&](const Vector& y, Vector& z) { solver.solve(y, z); }, r_, wanted, most_products, p_);
-  multiply(system);
+  gmres(
+      apply, [&](const Vector& y, Vector& z) { problem.solver.solve(y, z); }, r_, wanted, most_products, p_);
+  multiply(problem);
   // Along p the residual falls at once, and in every norm, until a state changes: halve until it has fallen.
   const OpenCloseResult before = result;
   const std::vector<double> limits = limit_;
@@ -127,38 +125,41 @@ bool OpenClose::coupled_step(const Model& model, const System& system, const Con
   for (double step = 1; step >= least_step; step /= 2) {
     d = d0;
     kd_ = kd0;
-    advance(model, system, contacts, step, d, result);
+    advance(problem, step, d, result);
     if (result.residual < (1 - 0.3 * step) * before.residual) return true;
   }
   d = d0;
   kd_ = kd0;
-  evaluate(contacts, d);
+  evaluate(problem, d);
   limit_ = limits;
   result = before;
   return false;
 }
 
-// Share of a contact in the potential's slope, limits frozen, after `step` of a move that changes gap and slide so fast.
+// Share of a contact in the potential's slope, limits frozen, after `step` of a move that changes gap and slide so
+// fast.
 double OpenClose::contact_slope(const ContactRows& row, size_t k, double step, double gap_rate, double slide_rate,
                                 double factor) const {
   const double gap = gap_[k] + step * gap_rate, slide = slide_[k] + step * slide_rate;
-  return (-row.kn * std::max(0.0, -gap) * gap_rate + std::clamp(row.ks * slide, -limit_[k], limit_[k]) * slide_rate) /
+  return (-row.kn * std::max(0.0, -gap) * gap_rate +
+          std::clamp(row.ks * slide, -limit_[k], limit_[k]) * slide_rate) /
          factor;
 }
 
 // Root of the potential's slope along p; the slope is a rising, piecewise linear function of the step.
-double OpenClose::line_search(const ContactTerms& contacts, const Vector& p, double slope0, double curvature) const {
-  const auto& rows = contacts.rows();
+double OpenClose::line_search(const ContactProblem& problem, const Vector& p, double slope0,
+                              double curvature) const {
+  const auto& rows = problem.contacts.rows();
   std::vector<double> gap_rate(rows.size()), slide_rate(rows.size());
   const auto contact_slopes = [&](double step) {
     double slope = 0;
     for (size_t k = 0; k < rows.size(); ++k)
-      slope += contact_slope(rows[k], k, step, gap_rate[k], slide_rate[k], contacts.factor());
+      slope += contact_slope(rows[k], k, step, gap_rate[k], slide_rate[k], problem.contacts.factor());
     return slope;
   };
   for (size_t k = 0; k < rows.size(); ++k) {
-    gap_rate[k] = contacts.factor() * rows[k].along(rows[k].normal_i, rows[k].normal_j, p);
-    slide_rate[k] = contacts.factor() * rows[k].along(rows[k].shear_i, rows[k].shear_j, p);
+    gap_rate[k] = problem.contacts.factor() * rows[k].along(rows[k].normal_i, rows[k].normal_j, p);
+    slide_rate[k] = problem.contacts.factor() * rows[k].along(rows[k].shear_i, rows[k].shear_j, p);
   }
   const double at0 = contact_slopes(0);
   const auto slope = [&](double step) { return slope0 + step * curvature + contact_slopes(step) - at0; };

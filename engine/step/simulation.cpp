@@ -14,7 +14,7 @@ namespace talus {
 void visit_state(RunTotals& totals, StateVisitor& v) {
   // parts: CPU time is the process's.
   [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, sweeps, steps_at_rest, steps_by_sweeps,
-                          failures, largest_iterations, largest_utilisation, largest_residual, parts] = totals;
+                          islands, failures, largest_iterations, largest_utilisation, largest_residual, parts] = totals;
   v("steps", steps);
   v("iterations", iterations);
   v("cuts", cuts);
@@ -22,6 +22,8 @@ void visit_state(RunTotals& totals, StateVisitor& v) {
   v("sweeps", sweeps);
   v("steps_at_rest", steps_at_rest);
   v("steps_by_sweeps", steps_by_sweeps);
+  for (long* count : {&islands.at_rest, &islands.single, &islands.by_sweeps, &islands.with_factor, &islands.asleep})
+    v("islands", *count);
   v("failures", failures);
   v("largest_iterations", largest_iterations);
   v("largest_utilisation", largest_utilisation);

@@ -29,11 +29,21 @@ struct StepReport {
   bool collapsed = false;    // static: no equilibrium at this load; nothing was moved
 };
 
+// What islands there were in accepted steps, and how they were solved.
+struct IslandCounts {
+  long at_rest = 0;      // nothing moved: not solved
+  long single = 0;       // a block alone
+  long by_sweeps = 0;    // without a factor
+  long with_factor = 0;
+  long asleep = 0;       // groups of islands, left out
+};
+
 struct RunTotals {
   long steps = 0, iterations = 0, cuts = 0, factorisations = 0;
   long sweeps = 0;          // over the contacts
-  long steps_at_rest = 0;   // in which nothing moved: not solved
-  long steps_by_sweeps = 0; // solved without a factor
+  long steps_at_rest = 0;    // in which nothing moved: not solved
+  long steps_by_sweeps = 0;  // solved without a factor
+  IslandCounts islands;      // summed over steps
   long failures = 0;         // of bonds
   int largest_iterations = 0;
   double largest_utilisation = 0;  // of a bond, when it was judged: how far strengths were passed

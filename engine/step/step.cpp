@@ -30,17 +30,17 @@ constexpr int release_iterations = 40;
 // What an attempt at a step changes before it is known to succeed; put back unless keep() is called.
 class Attempt {
  public:
-  // `contacts`: where those of the model are kept meanwhile, the same memory for every attempt.
+  // `contacts`: where those of what is awake are kept meanwhile, the same memory for every attempt.
   Attempt(Model& model, const Plan& plan, Ledger& ledger, std::vector<Contact>& contacts, Fracture* fracture)
       : model_(model), ledger_(ledger), before_(ledger), contacts_(contacts), fracture_(fracture) {
-    if (plan.contacts) contacts_ = model.contacts;
+    if (plan.contacts) contacts_.assign(model.contacts.begin() + model.sleeping_contacts, model.contacts.end());
     if (!plan.held_blocks) return;
     for (size_t b = 0; b < model.shapes.size(); ++b)
       if (model.shapes[b].dofs == 0) held_.emplace_back(b, model.blocks[b].velocity);
   }
   ~Attempt() {
     if (kept_) return;
-    model_.contacts.swap(contacts_);
+    again();
     ledger_ = before_;
     if (fracture_) fracture_->heal();
     for (const auto& [block, velocity] : held_) model_.blocks[block].velocity = velocity;
@@ -48,7 +48,10 @@ class Attempt {
   Attempt(const Attempt&) = delete;
   Attempt& operator=(const Attempt&) = delete;
   void keep() { kept_ = true; }
-  void again() { model_.contacts = contacts_; }  // the same step, with the bonds that have failed in it
+  void again() {  // the same step, with the bonds that have failed in it
+    model_.contacts.resize(size_t(model_.sleeping_contacts));
+    model_.contacts.insert(model_.contacts.end(), contacts_.begin(), contacts_.end());
+  }
 
  private:
   Model& model_;
@@ -58,6 +61,34 @@ class Attempt {
   Fracture* fracture_;
   std::vector<std::pair<size_t, std::array<double, max_dofs>>> held_;
   bool kept_ = false;
+};
+
+// What softens faster than the blocks unload does not stand by itself: all is held harder, and let go slowly.
+struct Softening {
+  bool snaps = false;
+  double last = 1, best = 1;  // residuals
+  double most = 0;            // it was held with
+  int stalled = 0;
+
+  bool hold_harder(std::vector<double>& hold) {
+    const double now = *std::max_element(hold.begin(), hold.end());
+    if (now >= most_hold) return false;
+    for (double& own : hold) own *= 30;
+    most = std::max(most, 30 * now);
+    return snaps = true;
+  }
+  void watch(double residual, std::vector<double>& hold) {
+    stalled = residual > 0.9 * best ? stalled + 1 : 0;
+    best = std::min(best, residual);
+    if (stalled > patience) {
+      most = std::min(30 * std::max(*std::max_element(hold.begin(), hold.end()), most), most_hold);
+      std::fill(hold.begin(), hold.end(), most);
+      snaps = true;
+      stalled = 0;
+      best = 1;
+    }
+    last = residual;
+  }
 };
 
 }  // namespace
@@ -77,13 +108,14 @@ StepReport Stepper::dynamic_step() {
   StepReport report;
   if (fracture_) fracture_->clear_events();
   for (double dt = step_size_.next(model_.time);; dt = step_size_.next(model_.time), ++report.cuts) {
+    const Scheme scheme = this->scheme(dt);
+    if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
     // 1. Loads, fixities and prescribed motions belong to this step's times; see Scheme.
-    const Scheme scheme = this->scheme(dt);
     if (plan_.held_blocks) move_held_blocks(model_, dt);
 
     Vector d;
-    OpenCloseResult result;
+    IslandResult result;
     std::vector<BlockState> moved;
     double released = 0;  // J/m, by bonds that fail in this step
     std::optional<BridgeBooking> bridge_booking;
@@ -99,17 +131,19 @@ StepReport Stepper::dynamic_step() {
       }
 
       // 3. Open–close: everything linear once, then contacts until their law is met.
-      double nearness = 1;
+      nearness_.clear();
+      hold_.clear();
       do {  // again with more of the candidates where one presses that was not expected to
-        assemble(scheme, false, nearness);
+        if (result.missed) widen();
+        assemble(scheme, false);
         if (on_assembled) on_assembled(scheme, system_, contacts_);
-        result = rests(dt) ? stay(d) : solve(true, d);
-        nearness *= 8;
+        result = solve(dt, d);
       } while (result.missed);
       report.iterations = result.iterations;
       report.residual = result.residual;
       if (!result.converged) break;
       moved = moved_blocks(model_, scheme, d);
+      keep_rest(moved);
       report.displacement = largest_displacement(model_, moved);
 
       // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
@@ -126,6 +160,7 @@ StepReport Stepper::dynamic_step() {
 
     // 6. The step is accepted: geometry, velocities, contact and joint states.
     accept(std::move(moved), scheme, d);
+    count(result);
     attempt.keep();
     if (fracture_) {
       ledger_.fracture_work += released;
@@ -133,6 +168,7 @@ StepReport Stepper::dynamic_step() {
       fracture_->weaken();
       report.failures = int(fracture_->events().size());
     }
+    if (numerics.sleeping && report.failures == 0) sleep_.fall_asleep(model_, islands_, search_.near());
     if (numerics.integrator == Integrator::newmark && numerics.dynamic_parameter < 1) {
       ledger_.damping_work += (1 - numerics.dynamic_parameter * numerics.dynamic_parameter) * kinetic_energy(model_, 0);
       for (BlockState& state : model_.blocks)
@@ -172,12 +208,15 @@ std::string Stepper::settle() {
 void Stepper::visit_state(StateVisitor& visitor) {
   visitor("step_size", step_size_);
   visitor("contact_search", search_);
+  visitor("sleep", sleep_);
   visitor("load_increment", load_increment_);
 }
 
 void Stepper::restored() {
   revision_ = -1;
   search_.forget();
+  sleep_.restored();
+  if (!model_.scene.numerics.sleeping) model_.changed();  // the state may be of a run that let things sleep
   if (fracture_) fracture_->restored();
 }
 
@@ -231,63 +270,67 @@ bool Stepper::balance(Equilibrium& search) { return find_equilibrium(false, 0, e
 
 bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search) {
   auto& [report, result, d] = search;
-  const double least = plan_.contacts ? least_hold : 0;
-  const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
-  hold = std::max(hold, least);
-  bool snaps = false;  // softens faster than the blocks unload
-  double last = 1;     // residual of the step before
-  double snap_hold = 0;
-  double best = 1;
-  int stalled = 0;
+  const double least = plan_.contacts ? least_hold : 0, enough = model_.scene.numerics.static_tolerance;
+  Softening softening;
   for (BlockState& state : model_.blocks) state.velocity.fill(0);
   if (plan_.held_blocks) place_held_blocks(model_);
+  hold_.assign(model_.shapes.size(), std::max(hold, least));
   for (int i = 0; i < iterations; ++i) {
-    const Scheme scheme = Scheme::equilibrium(hold);
+    const Scheme scheme = Scheme::equilibrium();
     if (plan_.contacts) {
       PartTimer timer(totals_, "contact search");
       search_.update(model_, 0);
     }
-    assemble(scheme, stick, 1);
-    result = open_close_.judge(model_, system_, contacts_);
+    assemble(scheme, stick);
+    result = islands_.judge(model_, system_, contacts_, i > 0 ? enough : -1);
     report.residual = result.residual;
-    if (i > 0 && result.residual <= model_.scene.numerics.static_tolerance) return true;
-    result = solve(false, d);
+    if (i > 0 && result.residual <= enough) return true;
+    result = solve(0, d);
     report.iterations += result.iterations;
-    if (result.singular_block >= 0 && bridges_.any() && hold < most_hold) {  // what softens does not stand by itself
-      hold *= 30;
-      snap_hold = std::max(snap_hold, hold);
-      snaps = true;
-      continue;
-    }
-    if (!result.converged && plan_.contacts && result.singular_block < 0) {
-      hold *= stick ? 100 : 30;
-      ++totals_.cuts;
-      continue;
-    }
-    if (!result.converged) return false;
+    if (result.singular_block >= 0 && bridges_.any() && softening.hold_harder(hold_)) continue;
+    if (!result.converged && (!plan_.contacts || result.singular_block >= 0)) return false;
     std::vector<BlockState> moved = moved_blocks(model_, scheme, d);
-    const double displacement = largest_displacement(model_, moved);
-    if (plan_.contacts && displacement > too_far) {
-      hold *= std::max(4.0, displacement / too_far);
-      ++totals_.cuts;
-      continue;
-    }
-    hold = snaps && report.residual > last ? std::max(hold, std::min(2 * hold, snap_hold)) : std::max(least, hold / 4);
-    stalled = report.residual > 0.9 * best ? stalled + 1 : 0;
-    best = std::min(best, report.residual);
-    if (stalled > patience && bridges_.any()) {
-      hold = snap_hold = std::min(30 * std::max(hold, snap_hold), most_hold);
-      snaps = true;
-      stalled = 0;
-      best = 1;
-    }
-    last = report.residual;
+    const double displacement = hold_and_leave(stick, moved, [&](double held) {
+      return softening.snaps && report.residual > softening.last ? std::max(held, std::min(2 * held, softening.most))
+                                                                 : std::max(least, held / 4);
+    });
+    if (displacement < 0) continue;
+    if (bridges_.any()) softening.watch(report.residual, hold_);
     report.displacement = std::max(report.displacement, displacement);
+    keep_rest(moved);
     accept(std::move(moved), scheme, d);
-    if (snaps)  // what has softened on the way does not come back, or it would go back and forth
+    if (softening.snaps)  // what has softened on the way does not come back, or it would go back and forth
       for (Joint& joint : model_.joints) wear_bridges(model_, joint);
   }
   return false;
+}
+
+// Islands that were not solved, or went too far, stay where they are and are held harder next time, the others as `relaxed`
+// says. Returns the largest displacement of those, or -1 where there are none.
+double Stepper::hold_and_leave(bool stick, const std::vector<BlockState>& moved,
+                               const std::function<double(double)>& relaxed) {
+  const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
+  const Islands& islands = islands_.islands();
+  double largest = -1;
+  for (int island = 0; island < islands.count(); ++island) {
+    const int first = islands.first(island);
+    if (first < 0 || islands_.rest(first) != Rest::moves) continue;
+    double own = 0;
+    for (const int b : islands.blocks(island)) own = std::max(own, displacement(model_, b, moved[b]));
+    double harder = 0;
+    if (!islands_.converged(island))
+      harder = stick ? 100 : 30;
+    else if (plan_.contacts && own > too_far)
+      harder = std::max(4.0, own / too_far);
+    for (const int b : islands.blocks(island)) hold_[b] = harder > 0 ? hold_[b] * harder : relaxed(hold_[b]);
+    if (harder > 0) {
+      islands_.leave(island);
+      ++totals_.cuts;
+    } else {
+      largest = std::max(largest, own);
+    }
+  }
+  return largest;
 }
 
 void Stepper::prepare_bonds() {
@@ -297,24 +340,22 @@ void Stepper::prepare_bonds() {
   if (plan_.fixities) supports_.prepare(model_, joints_.ground_stiffness());
 }
 
-void Stepper::assemble(const Scheme& scheme, bool stick, double nearness) {
+void Stepper::assemble(const Scheme& scheme, bool stick) {
   PartTimer timer(totals_, "assembly");
   prepare_bonds();
   std::vector<std::pair<int, int>> pairs;
-  for (const Joint& joint : model_.joints)  // failed ones too: the pattern outlives a crack
-    if (joint.bonded) pairs.push_back({joint.a, joint.b});
+  for (const Joint& joint : model_.joints)
+    if (ties(joint) && !model_.sleeps(joint.a) && !model_.sleeps(joint.b)) pairs.push_back({joint.a, joint.b});
   poses_.predict(model_, scheme);
-  if (plan_.contacts) contacts_.linearise(model_, poses_, scheme, stick, nearness);
+  if (plan_.contacts) contacts_.linearise(model_, poses_, scheme, stick, nearness_);
   for (const ContactRows& row : contacts_.rows())
-    if (row.near) pairs.push_back({model_.contacts[row.contact].i, model_.contacts[row.contact].j});
+    if (row.near) pairs.push_back({row.i, row.j});
   std::vector<int> sizes;
   for (const BlockShape& shape : model_.shapes) sizes.push_back(shape.dofs);
-  if (system_.matrix.set_pattern(sizes, std::move(pairs))) {
-    if (plan_.bonds) joints_.find_slots(model_, system_.matrix);
-    solver_.analyse(system_.matrix);
-  }
+  if (system_.matrix.set_pattern(sizes, std::move(pairs)) && plan_.bonds) joints_.find_slots(model_, system_.matrix);
   system_.clear(model_);
   add_block_terms(model_, poses_, scheme, system_);
+  if (!hold_.empty()) add_hold(model_, hold_, system_);
   if (plan_.bonds) joints_.add(model_, poses_, scheme, system_);
   if (fracture_) {
     bridges_.find_slots(model_, system_.matrix);
@@ -322,53 +363,66 @@ void Stepper::assemble(const Scheme& scheme, bool stick, double nearness) {
   }
   if (plan_.fixities) supports_.add(model_, poses_, scheme, system_);
   add_loads(model_, poses_, scheme, system_);
-  if (plan_.contacts) contacts_.find_slots(system_.matrix, model_);
+  islands_.find(model_, contacts_, !model_.scene.numerics.islands);
 }
 
-// Whether nothing moves by more in a step than places are rounded to, and all forces balance as they are. Nothing has to be
-// solved then, and round-off is not chased from step to step.
-bool Stepper::rests(double dt) {
-  PartTimer timer(totals_, "open-close and solve");
-  const double rounding = 16 * std::numeric_limits<double>::epsilon() * model_.extent;
-  for (size_t b = 0; b < model_.blocks.size(); ++b)
-    for (const double rate : model_.blocks[b].velocity)
-      if (std::abs(rate) * dt > rounding) return false;
-  return open_close_.judge(model_, system_, contacts_).residual <= model_.scene.numerics.contact_tolerance;
-}
-
-OpenCloseResult Stepper::stay(Vector& d) {
-  d.setZero(system_.force.size());
-  for (BlockState& state : model_.blocks) state.velocity.fill(0);
-  ++totals_.steps_at_rest;
-  OpenCloseResult result;
-  result.converged = true;
-  return result;
-}
-
-OpenCloseResult Stepper::solve(bool motion, Vector& d) {
+IslandResult Stepper::solve(double dt, Vector& d) {
   PartTimer timer(totals_, "open-close and solve");
   const Numerics& numerics = model_.scene.numerics;
-  const long before = solver_.factorisations;
-  OpenCloseResult result = open_close_.solve(model_, system_, contacts_, solver_, numerics.contact_tolerance,
-                                             motion ? numerics.max_iterations : std::min(numerics.max_iterations, held_iterations), motion, d);
-  if (!d.allFinite()) result.converged = false;
-  totals_.iterations += result.iterations;
+  const bool motion = dt > 0;
+  const OpenCloseSettings settings{numerics.contact_tolerance,
+                                   motion ? numerics.max_iterations : std::min(numerics.max_iterations, held_iterations),
+                                   motion, numerics.solver};
+  const IslandResult result = islands_.solve(model_, system_, contacts_, settings, dt, d);
+  totals_.iterations += result.solves;
   totals_.sweeps += result.sweeps;
-  if (motion && result.converged && result.iterations == 0) ++totals_.steps_by_sweeps;
-  totals_.factorisations += solver_.factorisations - before;
+  totals_.factorisations += result.factorisations;
   totals_.largest_iterations = std::max(totals_.largest_iterations, result.iterations);
   return result;
+}
+
+// The blocks of islands in which a contact presses that was not solved for get more of their contacts.
+void Stepper::widen() {
+  nearness_.resize(model_.shapes.size(), 1);
+  for (const int b : islands_.missed())
+    if (model_.shapes[b].dofs > 0) nearness_[b] *= 8;
+}
+
+// What rests stays where it is, and stands still.
+void Stepper::keep_rest(std::vector<BlockState>& moved) {
+  for (size_t b = 0; b < moved.size(); ++b)
+    if (islands_.rest(int(b)) != Rest::moves) {
+      moved[b] = model_.blocks[b];
+      moved[b].velocity.fill(0);
+    }
+}
+
+void Stepper::count(const IslandResult& result) {
+  const IslandCounts& now = result.islands;
+  const bool solved = now.single + now.by_sweeps + now.with_factor > 0;
+  if (!solved) ++totals_.steps_at_rest;
+  if (solved && now.with_factor == 0) ++totals_.steps_by_sweeps;
+  IslandCounts& sum = totals_.islands;
+  sum.at_rest += now.at_rest;
+  sum.single += now.single;
+  sum.by_sweeps += now.by_sweeps;
+  sum.with_factor += now.with_factor;
+  if (model_.scene.numerics.sleeping) sum.asleep += sleep_.groups(model_);
 }
 
 void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d) {
   PartTimer timer(totals_, "update");
   const bool motion = scheme.step_v > 0;
   const ContactBooking booking(model_, ledger_.ahead, scheme.dt);
+  if (motion)  // nothing of it is work
+    for (size_t b = 0; b < moved.size(); ++b)
+      if (islands_.rest(int(b)) != Rest::moves) model_.blocks[b].velocity.fill(0);
   if (motion) book_motion({model_, poses_, system_, supports_, scheme, d, moved}, ledger_);
   model_.blocks = std::move(moved);
-  model_.place_vertices();
+  for (int b = 0; b < int(model_.shapes.size()); ++b)
+    if (!model_.sleeps(b)) model_.place_vertices(b);
   if (plan_.contacts) {
-    open_close_.store(model_, contacts_);
+    islands_.store(model_, contacts_, d);
     if (motion)
       booking.book(model_, contacts_.rows(), scheme, d, ledger_);
     else

@@ -9,13 +9,13 @@
 #include "equations/bridge_terms.h"
 #include "equations/contact_terms.h"
 #include "equations/joint_terms.h"
-#include "equations/linear_solver.h"
 #include "fracture/fracture.h"
 #include "model/state_visitor.h"
 #include "scene/plan.h"
 #include "step/energies.h"
 #include "step/ledger.h"
-#include "step/open_close.h"
+#include "step/island_solver.h"
+#include "step/sleep.h"
 #include "step/simulation.h"
 #include "step/time_control.h"
 
@@ -67,10 +67,12 @@ class Stepper {
   bool breaks(std::vector<BlockState>& moved, double time, StepReport& report);
   double released_energy() const;
   void store_tractions();
-  OpenCloseResult solve(bool motion, Vector& d);
-  bool rests(double dt);
-  OpenCloseResult stay(Vector& d);
-  void assemble(const Scheme& scheme, bool stick, double nearness);
+  double hold_and_leave(bool stick, const std::vector<BlockState>& moved, const std::function<double(double)>& relaxed);
+  IslandResult solve(double dt, Vector& d);  // dt = 0: equilibrium
+  void widen();
+  void assemble(const Scheme& scheme, bool stick);
+  void keep_rest(std::vector<BlockState>& moved);
+  void count(const IslandResult& result);
   void accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d);
   [[noreturn]] void give_up(const OpenCloseResult& result, double dt) const;
   int culprit(const Equilibrium& search) const;  // the block that is named when there is no equilibrium
@@ -88,8 +90,10 @@ class Stepper {
   std::vector<Contact> contacts_before_;  // the attempt at a step
   Poses poses_;
   System system_;
-  LinearSolver solver_;
-  OpenClose open_close_;
+  IslandSolver islands_;
+  Sleep sleep_;
+  std::vector<double> hold_;      // of equilibrium, per block; empty: none
+  std::vector<double> nearness_;  // of contacts, per block; empty: 1 (ContactTerms::linearise)
   std::unique_ptr<Fracture> fracture_;  // where bonds can fail
   double load_increment_ = 0;           // s, of the next load step; 0: all of it
   std::string collapse_;

@@ -7,6 +7,7 @@ namespace talus {
 std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, const Vector& d) {
   std::vector<BlockState> moved = model.blocks;
   for (size_t b = 0; b < moved.size(); ++b) {
+    if (model.sleeps(int(b))) continue;
     const BlockShape& shape = model.shapes[b];
     BlockState& state = moved[b];
     const auto v0 = state.velocity;
@@ -31,15 +32,18 @@ std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, c
   return moved;
 }
 
+double displacement(const Model& model, int block, const BlockState& to) {
+  // A bound that is sharp for translation and for rotation about the centroid.
+  const BlockState& from = model.blocks[block];
+  const double turn = 2 * std::abs(std::sin((to.angle - from.angle) / 2));
+  const double strain = (to.strain - from.strain).norm();
+  return (to.shift - from.shift).norm() + model.shapes[block].radius * (turn + strain);
+}
+
 double largest_displacement(const Model& model, const std::vector<BlockState>& moved) {
   double largest = 0;
-  for (size_t b = 0; b < moved.size(); ++b) {
-    const BlockState &from = model.blocks[b], &to = moved[b];
-    // A bound that is sharp for translation and for rotation about the centroid.
-    const double turn = 2 * std::abs(std::sin((to.angle - from.angle) / 2));
-    const double strain = (to.strain - from.strain).norm();
-    largest = std::max(largest, (to.shift - from.shift).norm() + model.shapes[b].radius * (turn + strain));
-  }
+  for (size_t b = 0; b < moved.size(); ++b)
+    if (!model.sleeps(int(b))) largest = std::max(largest, displacement(model, int(b), moved[b]));
   return largest;
 }
 

@@ -9,6 +9,8 @@ namespace talus {
 // is what keeps angular momentum about the centroid as the block's moments change with its strain.
 std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, const Vector& d);
 
+// Displacement of a vertex of the block on the way to `to`, at most, m.
+double displacement(const Model& model, int block, const BlockState& to);
 // Largest displacement of any vertex between the model's states and `moved`, m.
 double largest_displacement(const Model& model, const std::vector<BlockState>& moved);
 

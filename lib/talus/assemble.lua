@@ -179,7 +179,8 @@ end
 local function numerics_of(numerics)
   local flat = {}
   for _, name in ipairs { "profile", "integrator", "theta", "dynamic_parameter", "contact_tolerance",
-      "static_tolerance", "max_iterations", "threads", "recovery" } do
+      "static_tolerance", "max_iterations", "threads", "islands",
+      "sleeping", "solver", "recovery" } do
     flat[name] = profile.numerics_value(numerics, name)
   end
   return flat

@@ -24,8 +24,8 @@ return {
     { "sim.energy", "the energy ledger now: {kinetic, strain, contact, gravity, total, external, boundary, friction, damping,"
         .. " numerical, unexplained, scale} (J per metre), those that the scene can have; see Energies" },
     { "sim.totals",
-      "{steps, steps_at_rest (nothing moved, nothing was solved), steps_by_sweeps (without a factor), iterations, sweeps"
-        .. " (over the contacts), cuts, factorisations, largest_iterations, largest_residual, seconds}; seconds: CPU time by part" },
+      "{steps, steps_at_rest (nothing moved, nothing was solved), steps_by_sweeps (without a factor), islands {at_rest, single"
+        .. " (a block alone), by_sweeps, with_factor, asleep}, iterations, sweeps (over the contacts), cuts, factorisations, largest_iterations, largest_residual, seconds}; seconds: CPU time by part" },
     { "sim:material(name), sim:joint(name), sim:fix(name), sim:load(name), sim:region(name)",
       "the object as the script made it, by name or number: `sim:load(\"push\").force = {0, -2e3}`" },
     { "sim.blocks[7].sxx", "a field of one block (or joint, contact, probe), numbered from 1" },

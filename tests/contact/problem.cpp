@@ -48,6 +48,12 @@ Desk::Desk(const Problem& given) : problem(given), matrix_(given.system.matrix) 
     slots_.push_back({matrix_.slot(contact(k).i, contact(k).i), matrix_.slot(contact(k).j, contact(k).j),
                       matrix_.slot(contact(k).i, contact(k).j)});
   solver_.analyse(matrix_);
+  const std::vector<char> bonded = bonded_blocks(problem.model);
+  std::vector<int> place(problem.model.shapes.size());
+  Islands islands;
+  islands.find(problem.model, problem.contacts, bonded, true);
+  whole_.take(problem.model, problem.system, problem.contacts, islands.blocks(0), islands.rows(0), bonded, place);
+  whole_.take_matrix(problem.system, place);
 }
 
 void Desk::places(const Vector& d, std::vector<double>& gap, std::vector<double>& slide, bool rate) const {
@@ -101,7 +107,7 @@ double Desk::usual_force() const {
 
 double Desk::judge(const Vector& d) {
   if (!d.allFinite()) return std::numeric_limits<double>::infinity();
-  const OpenCloseResult result = judge_.judge(problem.model, problem.system, problem.contacts, d);
+  const OpenCloseResult result = judge_.judge(whole_, d);
   if (result.residual < outcome.residual) {
     outcome.residual = result.residual;
     outcome.d = d;

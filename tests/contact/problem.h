@@ -7,7 +7,7 @@
 
 #include "equations/contact_terms.h"
 #include "equations/linear_solver.h"
-#include "step/open_close.h"
+#include "step/island_solver.h"
 
 namespace talus::study {
 
@@ -87,6 +87,7 @@ class Desk {
   std::vector<Slots> slots_;
   BlockMatrix matrix_;
   LinearSolver solver_;
+  ContactProblem whole_;  // for the judge: not by islands
   OpenClose judge_;
 };
 

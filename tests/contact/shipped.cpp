@@ -4,18 +4,17 @@
 namespace talus::study {
 
 void shipped(Desk& desk) {
-  System system = desk.problem.system;
-  LinearSolver solver;
-  solver.analyse(system.matrix);
-  OpenClose open_close;
+  const Problem& problem = desk.problem;
+  IslandSolver islands;
+  islands.find(problem.model, problem.contacts, false);
+  const Numerics& numerics = problem.model.scene.numerics;
+  const OpenCloseSettings settings{numerics.contact_tolerance, numerics.max_iterations, true};
   Vector d;
-  const Numerics& numerics = desk.problem.model.scene.numerics;
-  const OpenCloseResult result = open_close.solve(desk.problem.model, system, desk.problem.contacts, solver,
-                                                  numerics.contact_tolerance, numerics.max_iterations, true, d);
+  const IslandResult result = islands.solve(problem.model, problem.system, problem.contacts, settings, problem.scheme.dt, d);
   desk.judge(d);
   desk.outcome.residual = result.residual;
   desk.outcome.converged = result.converged;
-  desk.outcome.factorisations = int(solver.factorisations);
+  desk.outcome.factorisations = int(result.factorisations);
   desk.outcome.sweeps = result.sweeps;
 }
 

@@ -18,7 +18,7 @@ struct Assembled {
   JointTerms joints;
   Supports supports;
 
-  explicit Assembled(const Model& model, const Scheme& scheme = Scheme::equilibrium(0), bool bonds = true) {
+  explicit Assembled(const Model& model, const Scheme& scheme = Scheme::equilibrium(), bool bonds = true) {
     std::vector<std::pair<int, int>> pairs;
     std::vector<int> sizes;
     for (const Joint& joint : model.joints) pairs.push_back({joint.a, joint.b});

@@ -126,7 +126,7 @@ TEST(Bonds, StiffnessIsTheDerivativeOfTheForces) {
       scene.properties[0].bond = kind;
       Model model = build(scene);
       turn(model, angle, {0, 0});
-      const Scheme scheme = Scheme::equilibrium(0);
+      const Scheme scheme = Scheme::equilibrium();
       const Dense k = Assembled(model).dense();
       const double h = 1e-5;
       Dense derivative(model.dofs, model.dofs);

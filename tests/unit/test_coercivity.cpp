@@ -38,7 +38,7 @@ double coercivity(Model model, double penalty) {
     return Assembled(model).dense();
   };
   const Dense at_one = stiffness(1), jumps = stiffness(2) - at_one;
-  const Dense norm = Assembled(model, Scheme::equilibrium(0), false).dense() + jumps;
+  const Dense norm = Assembled(model, Scheme::equilibrium(), false).dense() + jumps;
   // scaled to a unit diagonal, or round-off of the stiffest bond would drown a weak block
   const Vector scale = norm.diagonal().cwiseSqrt().cwiseInverse();
   const auto scaled = [&scale](const Dense& m) { return Dense(scale.asDiagonal() * m * scale.asDiagonal()); };

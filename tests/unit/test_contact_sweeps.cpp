@@ -6,6 +6,7 @@
 #include "contact/detection.h"
 #include "small_scene.h"
 #include "step/contact_sweeps.h"
+#include "step/islands.h"
 
 namespace talus {
 namespace {
@@ -21,6 +22,7 @@ struct Swept {
   Scheme scheme = Scheme::theta(dt, 0.75);
   std::unique_ptr<test::Assembled> assembled;
   ContactTerms terms;
+  ContactProblem problem;
   ContactSweeps sweeps;
   ContactSweeps::Progress progress;
   std::vector<double> normal, shear;
@@ -38,8 +40,14 @@ struct Swept {
     ContactSearch search;
     search.update(model, dt);
     assembled = std::make_unique<test::Assembled>(model, scheme);
-    terms.linearise(model, assembled->poses, scheme, false, 1);
-    sweeps.start(model, assembled->system, terms);
+    terms.linearise(model, assembled->poses, scheme, false, {});
+    const std::vector<char> bonded = bonded_blocks(model);
+    std::vector<int> place(model.shapes.size());
+    Islands islands;
+    islands.find(model, terms, bonded, true);
+    problem.take(model, assembled->system, terms, islands.blocks(0), islands.rows(0), bonded, place);
+    problem.take_matrix(assembled->system, place);
+    sweeps.start(problem);
     normal.assign(model.contacts.size(), 0);
     shear = normal;
     d.setZero(model.dofs);

@@ -132,7 +132,7 @@ TEST(Scheme, BondWeightsAgree) {
 
 TEST(Scheme, EquilibriumIsReachedInOneSolve) {
   Oscillator o{.bond = 4, .force = 8, .x = 0.5};
-  o.step(Scheme::equilibrium(0));
+  o.step(Scheme::equilibrium());
   EXPECT_DOUBLE_EQ(o.x, 2);
   EXPECT_EQ(o.v, 0);
 }

@@ -88,6 +88,14 @@ return {
         doc = "open–close iterations before a step is cut" },
       { name = "threads", type = "integer", least = 1, most = 1024, default = 1,
         doc = "threads of the linear solver" },
+      { name = "islands", type = "boolean", default = true,
+        doc = "blocks that neither touch nor hang together are solved apart; false: the scene as one, for study" },
+      { name = "sleeping", type = "boolean", default = false,
+        doc = "islands that have come to rest, to rounding, cost nothing until something comes near them or a change reaches"
+            .. " them: places and forces are those without it, to the bit; `sim.contacts` has theirs first" },
+      { name = "solver", type = "enum", values = { "auto", "factor", "sweeps" }, default = "auto",
+        doc = "of contacts in motion, for study: Newton's steps with a factor, or sweeps over contact forces, alone. Bonded"
+            .. " blocks and equilibrium are always solved with a factor" },
       { name = "recovery", type = "boolean", default = true,
         doc = "smoothed stress for output and probes, beside the raw one" },
     },

@@ -1,0 +1,155 @@
+#include "step/island_solver.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace talus {
+
+struct IslandSolver::Step {
+  const Model& model;
+  const System& system;
+  const ContactTerms& contacts;
+  const OpenCloseSettings& settings;
+  double dt;
+};
+
+void IslandSolver::find(const Model& model, const ContactTerms& contacts, bool together) {
+  bonded_ = bonded_blocks(model);
+  place_.resize(model.shapes.size());
+  islands_.find(model, contacts, bonded_, together);
+  at_rest_.assign(size_t(islands_.count()), Rest::moves);
+}
+
+IslandResult IslandSolver::solve(const Model& model, const System& system, const ContactTerms& contacts,
+                                 const OpenCloseSettings& settings, double dt, Vector& d) {
+  const Step step{model, system, contacts, settings, dt};
+  IslandResult result;
+  result.converged = true;
+  d.setZero(system.force.size());
+  converged_.assign(size_t(islands_.count()), 1);
+  missed_.clear();
+  ++solve_;
+  // One that fails cuts the step of all; in equilibrium it is held harder, and the others go on.
+  const auto gives_up = [&](const IslandResult& so_far) {
+    return !so_far.converged && !so_far.missed && (settings.motion || so_far.singular_block >= 0);
+  };
+  for (int island = 0; island < islands_.count() && !gives_up(result); ++island) {
+    if (dt > 0) at_rest_[island] = judge_rest(step, island);
+    if (at_rest_[island] != Rest::moves) {
+      ++result.islands.at_rest;
+    } else if (!settings.motion || settings.solver == ContactSolver::factor ||
+               !solve_single(step, island, result, d)) {
+      solve_together(step, island, result, d);
+    }
+  }
+  if (result.converged) watch(step, d, result);
+  if (result.converged) std::erase_if(kept_, [this](const auto& entry) { return entry.second->solve != solve_; });
+  return result;
+}
+
+OpenCloseResult IslandSolver::judge(const Model& model, const System& system, const ContactTerms& contacts,
+                                    double enough) {
+  OpenCloseResult worst;
+  for (int island = 0; island < islands_.count(); ++island) {
+    judged_.take(model, system, contacts, islands_.blocks(island), islands_.rows(island), bonded_, place_);
+    const OpenCloseResult own = open_close_.judge(judged_);
+    if (own.residual <= enough) at_rest_[island] = Rest::rests;
+    if (island == 0 || !(own.residual <= worst.residual)) worst = own;
+  }
+  return worst;
+}
+
+// Whether nothing moves by more in a step than places are rounded to, and all forces balance as they are. Nothing
+// has to be solved then, and round-off is not chased from step to step.
+Rest IslandSolver::judge_rest(const Step& step, int island) {
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  Rest rest = Rest::rests;
+  for (const int b : islands_.blocks(island)) {
+    const BlockState& state = step.model.blocks[b];
+    const double size = std::max(step.model.extent, state.centroid.norm());  // m, of its places
+    for (const double rate : state.velocity) {
+      if (std::abs(rate) * step.dt > rounding * size) return Rest::moves;
+      if (rate != 0) rest = Rest::settles;
+    }
+  }
+  judged_.take(step.model, step.system, step.contacts, islands_.blocks(island), islands_.rows(island), bonded_,
+               place_);
+  return open_close_.judge(judged_).residual <= step.settings.tolerance ? rest : Rest::moves;
+}
+
+// A block in flight. Its own matrix is well conditioned unless supports hold it, where its residual may not do.
+bool IslandSolver::solve_single(const Step& step, int island, IslandResult& result, Vector& d) {
+  if (!islands_.single(island)) return false;
+  for (const int b : islands_.blocks(island)) {
+    const BlockShape& shape = step.model.shapes[b];
+    if (shape.dofs == 0) continue;
+    DofMatrix matrix = DofMatrix::Identity();
+    step.system.matrix.diagonal(b, matrix);
+    DofColumn force = DofColumn::Zero();
+    force.head(shape.dofs) = step.system.force.segment(shape.dof_begin, shape.dofs);
+    const DofColumn own = matrix.inverse() * force;
+    const double out = (force - matrix * own).norm() - step.system.force_rounding[b];
+    if (!(out <= step.settings.tolerance * step.system.force_scale[b])) return false;
+    if (out > 0) result.residual = std::max(result.residual, out / step.system.force_scale[b]);
+    d.segment(shape.dof_begin, shape.dofs) = own.head(shape.dofs);
+  }
+  ++result.islands.single;
+  return true;
+}
+
+void IslandSolver::solve_together(const Step& step, int island, IslandResult& result, Vector& d) {
+  auto& kept = kept_[islands_.first(island)];
+  if (!kept) kept = std::make_unique<Kept>();
+  kept->solve = solve_;
+  ContactProblem& problem = kept->problem;
+  problem.take(step.model, step.system, step.contacts, islands_.blocks(island), islands_.rows(island), bonded_,
+               place_);
+  problem.take_matrix(step.system, place_);
+  Vector own_d;
+  const long before = problem.solver.factorisations;
+  OpenCloseResult own = open_close_.solve(problem, step.settings, own_d);
+  if (!own_d.allFinite()) own.converged = false;
+  for (size_t l = 0; l < problem.blocks.size(); ++l)
+    d.segment(step.model.shapes[problem.blocks[l]].dof_begin, problem.dofs[l]) =
+        own_d.segment(problem.dof_begin[l], problem.dofs[l]);
+  result.solves += own.iterations;
+  result.sweeps += own.sweeps;
+  result.factorisations += problem.solver.factorisations - before;
+  ++(own.iterations == 0 ? result.islands.by_sweeps : result.islands.with_factor);
+  result.iterations = std::max(result.iterations, own.iterations);
+  if (!own.converged || !(own.residual <= result.residual)) {
+    result.residual = own.residual;
+    result.worst_block = own.worst_block;
+  }
+  if (own.converged) return;
+  converged_[island] = 0;
+  result.converged = false;
+  result.missed = own.missed;
+  result.singular_block = own.singular_block;
+  if (own.missed) missed_.insert(missed_.end(), problem.blocks.begin(), problem.blocks.end());
+}
+
+// Contacts that no island was solved with: they tie two of them, or press on a block taken for single.
+void IslandSolver::watch(const Step& step, const Vector& d, IslandResult& result) {
+  const auto pressed = [&](int k) {
+    const ContactRows& row = step.contacts.rows()[k];
+    if (row.near || row.gap0 + step.contacts.factor() * row.along(row.normal_i, row.normal_j, d) >= 0) return;
+    result.missed = true;
+    result.converged = false;
+    for (const int b : {row.i, row.j}) missed_.push_back(b);
+  };
+  for (const int k : islands_.rows_between()) pressed(k);
+  for (int island = 0; island < islands_.count(); ++island)
+    if (islands_.single(island) && at_rest_[island] == Rest::moves)
+      for (const int k : islands_.rows(island)) pressed(k);
+}
+
+void IslandSolver::store(Model& model, const ContactTerms& contacts, const Vector& d) const {
+  const auto left = [this](int block) { return islands_.of(block) < 0 || rest(block) == Rest::rests; };
+  for (const ContactRows& row : contacts.rows())
+    if (!left(row.i) || !left(row.j)) OpenClose::store(row, contacts.factor(), d, model.contacts[row.contact]);
+}
+
+}  // namespace talus

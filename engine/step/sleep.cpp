@@ -1,0 +1,133 @@
+#include "step/sleep.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "equations/boundary_terms.h"
+
+namespace talus {
+
+namespace {
+
+// What each load, each region's body force and each support asks for in a step, two numbers each.
+std::vector<double> read_inputs(const Model& model, const Scheme& scheme) {
+  const Scene& scene = model.scene;
+  const double time = model.time + scheme.load_time;
+  std::vector<double> values;
+  const auto add = [&](const std::array<History, 2>& of) {
+    values.insert(values.end(), {of[0].at(time), of[1].at(time)});
+  };
+  for (const PointLoad& load : scene.point_loads) add(load.force);
+  for (const EdgeLoad& load : scene.edge_loads) add(load.traction);
+  for (const Region& region : scene.regions) add(region.body_force);
+  for (const Fixity& fixity : scene.fixities) {
+    const Vec2 wanted = fixity_displacement(fixity, model.time + scheme.hold_time);
+    values.insert(values.end(), {wanted.x(), wanted.y()});
+  }
+  return values;
+}
+
+bool stands_still(const std::array<double, max_dofs>& velocity) {
+  return std::all_of(velocity.begin(), velocity.end(), [](double rate) { return rate == 0; });
+}
+
+}  // namespace
+
+void Sleep::wake(Model& model, const Scheme& scheme) {
+  model.asleep.resize(model.shapes.size(), 0);
+  take_stock(model);
+  std::vector<char> woken(model.shapes.size() + 1, 0);  // by group
+  wake_loaded(model, scheme, woken);
+  if (!sleepers_.empty()) wake_near(model, scheme.dt, woken);
+  woken[0] = 0;
+  if (std::find(woken.begin(), woken.end(), 1) == woken.end()) return;
+  for (int& group : model.asleep)
+    if (woken[group]) group = 0;
+  model.order_contacts();
+}
+
+void Sleep::wake_loaded(const Model& model, const Scheme& scheme, std::vector<char>& woken) {
+  std::vector<double> now = read_inputs(model, scheme);
+  inputs_.resize(now.size());
+  const Scene& scene = model.scene;
+  const size_t edges = scene.point_loads.size(), regions = edges + scene.edge_loads.size(),
+               supports = regions + scene.regions.size();
+  const auto touch = [&](size_t input, int block) {
+    if (now[2 * input] != inputs_[2 * input] || now[2 * input + 1] != inputs_[2 * input + 1])
+      woken[model.asleep[block]] = 1;
+  };
+  for (const PointForce& force : model.point_forces) touch(size_t(force.load), force.block);
+  for (const EdgeForce& force : model.edge_forces) touch(edges + size_t(force.load), force.block);
+  for (const int b : sleepers_) touch(regions + size_t(model.shapes[b].region), b);
+  for (const PointFixity& point : model.point_fixities) touch(supports + size_t(point.fixity), point.block);
+  for (const EdgeFixity& edge : model.edge_fixities) touch(supports + size_t(edge.fixity), edge.block);
+  inputs_ = std::move(now);
+}
+
+void Sleep::wake_near(const Model& model, double dt, std::vector<char>& woken) {
+  for (int b = 0; b < int(model.shapes.size()); ++b) {
+    if (model.sleeps(b)) continue;
+    const bool held = model.shapes[b].dofs == 0;
+    const auto velocity = held ? held_velocity(model, b, dt) : model.blocks[b].velocity;
+    if (held && stands_still(velocity)) continue;
+    boxes_.each_meeting(swept_box(model, b, velocity, dt), std::numeric_limits<int>::min(),
+                        [&](int k) { woken[model.asleep[sleepers_[k]]] = 1; });
+  }
+}
+
+void Sleep::fall_asleep(Model& model, const IslandSolver& islands, const std::vector<std::pair<int, int>>& near) {
+  const int count = int(model.shapes.size());
+  std::vector<int> group(count);
+  std::iota(group.begin(), group.end(), 0);
+  const auto root = [&group](int b) {
+    while (group[b] != b) b = group[b] = group[group[b]];
+    return b;
+  };
+  const auto tie = [&](int a, int b) {
+    const auto [low, high] = std::minmax({root(a), root(b)});
+    group[high] = low;
+  };
+  std::vector<char> moves(count, 0);
+  for (int b = 0; b < count; ++b)
+    if (islands.first(b) >= 0) {
+      tie(b, islands.first(b));
+      moves[b] = islands.rest(b) != Rest::rests;
+    }
+  for (const auto& [a, b] : near) {
+    const bool free_a = model.shapes[a].dofs > 0, free_b = model.shapes[b].dofs > 0;
+    if (free_a && free_b) tie(a, b);
+    if (!free_a && !stands_still(model.blocks[a].velocity)) moves[b] = 1;
+    if (!free_b && !stands_still(model.blocks[b].velocity)) moves[a] = 1;
+  }
+  for (int b = 0; b < count; ++b)
+    if (moves[b]) moves[root(b)] = 1;
+  bool any = false;
+  for (int b = 0; b < count; ++b)
+    if (islands.first(b) >= 0 && !moves[root(b)]) {
+      model.asleep[b] = root(b) + 1;
+      any = true;
+    }
+  if (any) model.order_contacts();
+}
+
+int Sleep::groups(const Model& model) {
+  take_stock(model);
+  return groups_;
+}
+
+void Sleep::take_stock(const Model& model) {
+  if (seen_ == model.sleep_changes) return;
+  seen_ = model.sleep_changes;
+  sleepers_.clear();
+  groups_ = 0;
+  std::vector<Box> boxes;
+  for (int b = 0; b < int(model.shapes.size()); ++b) {
+    if (!model.sleeps(b)) continue;
+    sleepers_.push_back(b);
+    boxes.push_back(swept_box(model, b, {}, 0));
+    groups_ += model.asleep[b] == b + 1;  // a group bears the number of its first block
+  }
+  boxes_.fill(std::move(boxes));
+}
+
+}  // namespace talus

@@ -1,0 +1,103 @@
+-- Islands and sleep. Two walls on one slab, shaken, move to the last bit as each does alone. A stack that sleeps until a
+-- thrown block wakes it ends as one that never slept, to the last bit, as does a run that goes on from a state saved while
+-- the stack was asleep. No source: each run is the other's.
+local talus = require "talus"
+local check = talus.check
+local rock = talus.material { name = "rock", density = 2500, young = 1e9, poisson = 0.25 }
+local joint = talus.joint { name = "rough", friction = math.rad(35) }
+-- The same slab in all: lengths are measured from the middle of the scene.
+local function slab() return talus.region { name = "slab", outline = talus.rect(-20, -1, 20, 0), material = rock, held = true } end
+local function wall(name, x)
+  return talus.region { name = name, material = rock, velocity = {0.5, 0},
+    blocks = talus.running_bond { at = {x, 0}, courses = 5, per_course = 4, length = 1, height = 0.5 } }
+end
+local function bits(sim, region)
+  local list = {}
+  for _, block in ipairs(sim.blocks) do
+    if block.region == region then
+      local at, v = block.displacement, block.velocity
+      list[#list + 1] = string.format("%a %a %a %a %a", at[1], at[2], v[1], v[2], block.sxx)
+    end
+  end
+  return table.concat(list, "\n")
+end
+local function run(regions)
+  local sim = talus.simulation { gravity = {0, -9.81}, contact = joint, regions = regions,
+    time = { mode = "dynamic", t_end = 0.1, dt = 1e-3 } }
+  sim:run()
+  return sim
+end
+local both = run { slab(), wall("left", -15), wall("right", 8) }
+check.truth("left wall of two as alone, to the bit", bits(both, "left") == bits(run { slab(), wall("left", -15) }, "left"))
+check.truth("right wall of two as alone, to the bit", bits(both, "right") == bits(run { slab(), wall("right", 8) }, "right"))
+check.above("two walls: islands a step", both.totals.islands.by_sweeps + both.totals.islands.with_factor, 199)
+
+-- A stack of six at rest, and a block that slides to it along the slab and pushes it.
+local function pushed(sleeping, push)
+  local stack = {}
+  for k = 1, 6 do stack[k] = talus.rect(0, k - 1, 1, k) end
+  local sim = talus.simulation { gravity = {0, -9.81}, contact = joint,
+    regions = { slab(), talus.region { name = "stack", blocks = stack, material = rock },
+                talus.region { name = "thrown", outline = talus.rect(-6, 0, -5, 1), material = rock, velocity = {14, 0} } },
+    loads = { talus.point_load { name = "push", region = "stack", at = {1, 5.5}, force = { push or 0, 0 } } },
+    time = { mode = "dynamic", t_end = 4, dt = 1e-3, start = "settled" }, numerics = { sleeping = sleeping } }
+  return sim
+end
+-- Places, speeds and stresses after each 50 steps, and the contacts' forces by pair of corner and edge.
+local function story(sim, from, to)
+  local list = {}
+  for step = from, to do
+    sim:step()
+    if step % 50 == 0 then
+      list[#list + 1] = bits(sim, "stack") .. bits(sim, "thrown")
+      local contacts = {}
+      for _, c in ipairs(sim.contacts) do
+        contacts[#contacts + 1] = string.format("%d %d %d %d %a %a %a", c.block_i, c.vertex, c.block_j, c.edge, c.normal_force, c.shear_force, c.slip)
+      end
+      table.sort(contacts)
+      list[#list + 1] = table.concat(contacts, "\n")
+      list[#list + 1] = string.format("%a %a %a", sim.energy.kinetic, sim.energy.friction, sim.energy.numerical)
+    end
+  end
+  return table.concat(list, "\n")
+end
+local awake, asleep = pushed(false), pushed(true)
+local never, slept = story(awake, 1, 2000), story(asleep, 1, 2000)
+check.truth("a stack that slept and was woken: all as without sleep, to the bit", never == slept)
+check.above("a stack that slept: steps asleep", asleep.totals.islands.asleep, 300)
+check.above("a stack that was hit: it moved, m", math.abs(asleep.blocks[2].displacement[1]), 1e-4)
+check.below("a stack that slept: unexplained energy over the largest", math.abs(asleep.energy.unexplained)/asleep.energy.scale, 0.01)
+
+local first = pushed(true)
+story(first, 1, 300)
+local saved, groups = first:save(), first.totals.islands.asleep
+local rest = story(first, 301, 1200)
+local hash = first:hash()
+first:restore(saved)
+check.truth("saved while asleep: goes on as it did, to the bit", story(first, 301, 1200) == rest and first:hash() == hash)
+local other = pushed(true)
+other:restore(saved)
+check.truth("restored into another run: the same, to the bit", story(other, 301, 1200) == rest and other:hash() == hash)
+check.above("saved while asleep: groups had slept", groups, 50)
+
+-- A change of a load wakes, with the same forces as if there had been no sleep.
+local function loaded(sleeping)
+  local sim = pushed(sleeping)
+  for _ = 1, 20 do sim:step() end
+  sim:load("push").force = {2e3, 0}
+  for _ = 1, 30 do sim:step() end
+  return bits(sim, "stack")
+end
+check.truth("a load that a script changes wakes, to the bit", loaded(true) == loaded(false))
+local function rising(sleeping)
+  local sim = pushed(sleeping, {{0, 0}, {0.02, 0}, {0.05, 2e3}})
+  local slept = 0
+  for step = 1, 60 do
+    sim:step()
+    if step == 15 then slept = sim.totals.islands.asleep end
+  end
+  return bits(sim, "stack"), slept
+end
+local with, slept_before = rising(true)
+check.truth("a load with a history wakes, to the bit", with == rising(false))
+check.above("before the load rises: asleep", slept_before, 5)
