@@ -1,8 +1,8 @@
 -- A semicircular arch of 21 loose voussoirs falls when it is thinner than t/R = 0.10679.
--- Run: scripts/run examples/05_arch.lua                   falls: hinges at feet, haunches, crown (0.2 s CPU)
---      scripts/run examples/05_arch.lua -p ratio=0.108    stands (0.2 s CPU)
+-- Run: scripts/run examples/15_arch.lua                   falls: hinges at feet, haunches, crown (0.2 s CPU)
+--      scripts/run examples/15_arch.lua -p ratio=0.108    stands (0.2 s CPU)
 -- Teaches: blocks from a Lua loop, contacts without tension, a parameter, a check that depends on it.
--- Picture: docs/pictures/05_arch.svg (t = 1.4 s)
+-- Picture: docs/pictures/15_arch.svg (t = 1.4 s)
 -- Source: limit analysis of rigid voussoirs at high friction, R at mid-thickness. These are elastic and need a
 -- little more: 0.1075 still sinks.
 local talus = require "talus"
