@@ -9,6 +9,7 @@ disc.half_flat = disc.radius*math.sin(disc.half_angle)
 -- |y| of what lies two widths of a flat away from the plates. Nearer, rock is pressed from all sides: it is wedged out only as the
 -- halves part, while small cracks open beside the flats.
 disc.clear_of_plates = disc.half_height - 4*disc.half_flat
+disc.at_plates = disc.half_height - 2*disc.half_flat
 
 -- The outline in chords of about `size`, clockwise from the top flat or, mirrored, counter-clockwise from it.
 function disc.outline(size, mirrored)
@@ -25,10 +26,10 @@ function disc.outline(size, mirrored)
   return talus.polygon(points)
 end
 
+-- What is left of a failed joint is the default: its friction, 0.05 MPa of cohesion, no tension.
 disc.rock = talus.material { name = "rock", density = 2500, young = 10*u.GPa, poisson = 0.2 }
 function disc.joint(more)
-  local fields = { name = "rock", friction = 35*u.deg, cohesion = 4*u.MPa, tension = 0.5*u.MPa,
-                   residual = { friction = 35*u.deg, cohesion = 0.05*u.MPa, tension = 0 } }
+  local fields = { name = "rock", friction = 35*u.deg, cohesion = 4*u.MPa, tension = 0.5*u.MPa }
   for key, value in pairs(more or {}) do fields[key] = value end
   return talus.joint(fields)
 end
@@ -52,8 +53,8 @@ end
 
 function disc.load(sim) return -sim.reactions.press[2] end
 
--- Whether what lies clear of the plates has come apart into two bodies, each of a quarter of the blocks or more.
-function disc.is_split(sim)
+-- Whether what lies within |y| < `height` has come apart into two bodies, each of a quarter of the blocks or more.
+function disc.is_split(sim, height)
   local y, state = sim.blocks:field "centroid", sim.joints:field "state"
   local a, b = sim.joints:field "block_a", sim.joints:field "block_b"
   local body = {}
@@ -61,7 +62,7 @@ function disc.is_split(sim)
     while body[k] ~= k do body[k] = body[body[k]]; k = body[k] end
     return k
   end
-  for k = 1, #y do body[k] = math.abs(y[k][2]) < disc.clear_of_plates and k or nil end
+  for k = 1, #y do body[k] = math.abs(y[k][2]) < height and k or nil end
   for j = 1, #a do
     if state[j] == "intact" and body[a[j]] and body[b[j]] then body[root(a[j])] = root(b[j]) end
   end
@@ -87,8 +88,8 @@ end
 
 -- Runs it until it splits. What came of it: `first`, the first crack clear of the plates; `initiation` and `splitting`, the loads at
 -- that crack and the largest (N/m); `failed`, each failed joint in order, and how many of them it took to go `through`; whether it
--- `split`. Writes an output time at the first crack. `blank`: see above.
-function disc.break_up(body, more, blank)
+-- `split` within |y| < `height`. Writes an output time at the first crack. `blank`: see above.
+function disc.break_up(body, more, height, blank)
   local seen = { failed = {}, splitting = 0 }
   local fields = {}
   for key, value in pairs(more or {}) do fields[key] = value end
@@ -102,7 +103,7 @@ function disc.break_up(body, more, blank)
       end
     end
     if not seen.through and crosses_all(seen.failed, blank or 0) then seen.through = #seen.failed end
-    seen.split = disc.is_split(sim)
+    seen.split = disc.is_split(sim, height or disc.clear_of_plates)
     if seen.split then sim:stop() end
   end
   local sim = disc.simulation(body, fields)
