@@ -76,6 +76,7 @@ function laws.try_criterion(values, bad)
   end
 end
 
+local remains = { friction = true, cohesion = true, tension = true }
 function laws.try_reduction(values, bad)
   if type(values.reduction) ~= "function" then return end
   for _, way in ipairs { { 0, 0 }, { 1e-3, 0 }, { 0, 1e-3 } } do
@@ -83,6 +84,11 @@ function laws.try_reduction(values, bad)
     local first, second = tried(values.reduction, "reduction", given, bad, strength(values), way[1], way[2], 0)
     if type(first) ~= "table" then
       bad("reduction", "a table { friction, cohesion, tension } " .. given, native.describe(first))
+    end
+    for name in pairs(first) do
+      if not remains[name] then
+        bad("reduction", "friction, cohesion and tension in the table " .. given, native.describe(name))
+      end
     end
     for _, name in ipairs { "friction", "cohesion", "tension" } do
       local left, own = first[name], strength(values)[name]

@@ -13,6 +13,12 @@ local object = {}
 local records = setmetatable({}, { __mode = "k" })
 local metatables = {}
 
+-- As the script writes it; what is only written as a table keeps the word.
+local function name_of(kind)
+  local call = schema[kind].call
+  return call ~= "" and call or "talus." .. kind
+end
+
 local function unknown_key(place, path, kind, key)
   local names = {}
   for _, field in ipairs(schema[kind].fields) do
@@ -211,7 +217,7 @@ function object.put(self, values)
 end
 
 for kind in pairs(schema) do
-  metatables[kind] = { __index = index, __newindex = new_index, __name = "talus." .. kind, __metatable = kind }
+  metatables[kind] = { __index = index, __newindex = new_index, __name = name_of(kind), __metatable = kind }
 end
 
 -- An object of one of spec.kinds; where spec.inline is set a plain table will do for the first of them.
@@ -219,7 +225,7 @@ types.object = {}
 
 function types.object.expected(spec)
   local words = {}
-  for i, kind in ipairs(spec.kinds) do words[i] = "talus." .. kind end
+  for i, kind in ipairs(spec.kinds) do words[i] = name_of(kind) end
   local text = table.concat(words, ", ", 1, #words - 1) .. (#words > 1 and " or " or "") .. words[#words]
   return spec.inline and ("a table of %s fields"):format(spec.kinds[1]) or "a " .. text
 end
