@@ -88,8 +88,8 @@ end
 
 -- Runs it until it splits. What came of it: `first`, the first crack clear of the plates; `initiation` and `splitting`, the loads at
 -- that crack and the largest (N/m); `failed`, each failed joint in order, and how many of them it took to go `through`; whether it
--- `split` within |y| < `height`. Writes an output time at the first crack. `blank`: see above.
-function disc.break_up(body, more, height, blank)
+-- `split` within |y| < `height`. Writes an output time at the first crack. `blank`: see above; `only_through`: ends there.
+function disc.break_up(body, more, height, blank, only_through)
   local seen = { failed = {}, splitting = 0 }
   local fields = {}
   for key, value in pairs(more or {}) do fields[key] = value end
@@ -102,9 +102,9 @@ function disc.break_up(body, more, height, blank)
         sim:output()
       end
     end
-    if not seen.through and crosses_all(seen.failed, blank or 0) then seen.through = #seen.failed end
     seen.split = disc.is_split(sim, height or disc.clear_of_plates)
-    if seen.split then sim:stop() end
+    if not seen.through and (seen.split or crosses_all(seen.failed, blank or 0)) then seen.through = #seen.failed end
+    if seen.split or only_through and seen.through then sim:stop() end
   end
   local sim = disc.simulation(body, fields)
   sim:run()
