@@ -17,7 +17,7 @@ local notch = talus.trace { points = { { -along[1], -along[2] }, along }, joint 
 local body = talus.region { name = "disc", outline = disc.outline(size), material = disc.rock, mesh = { size = size },
                             joint = disc.joint(), cuts = { notch } }
 local sim, seen = disc.break_up(body, { title = "Flattened disc with a notch", output = { dir = "out/notched_disc" } },
-                                disc.at_plates, along[2])
+                                { height = disc.at_plates, blank = along[2] })
 
 local function from_tip(crack, sign) return math.sqrt((crack.x - sign*along[1])^2 + (crack.y - sign*along[2])^2) end
 local upper, lower, first_upper, first_lower = 0, 0, nil, nil

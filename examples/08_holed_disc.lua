@@ -17,7 +17,7 @@ local hole = talus.circle { at = {eccentricity, 0}, radius = radius, name = "hol
 local body = talus.region { name = "disc", outline = disc.outline(size), holes = { hole }, material = disc.rock,
                             mesh = { size = size }, joint = disc.joint() }
 local sim, seen = disc.break_up(body, { title = "Flattened disc with a " .. case .. " hole", output = { dir = "out/holed_disc" } },
-                                case == "large" and disc.at_plates or nil)
+                                case == "large" and { height = disc.at_plates, blank = radius } or nil)
 
 local function at_hole(x, y) return math.sqrt((x - eccentricity)^2 + y^2) < radius + 2*size end
 local met, above, below = 0, false, false

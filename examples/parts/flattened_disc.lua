@@ -9,7 +9,7 @@ disc.half_flat = disc.radius*math.sin(disc.half_angle)
 -- |y| of what lies two widths of a flat away from the plates. Nearer, rock is pressed from all sides: it is wedged out only as the
 -- halves part, while small cracks open beside the flats.
 disc.clear_of_plates = disc.half_height - 4*disc.half_flat
-disc.at_plates = disc.half_height - 2*disc.half_flat
+disc.at_plates = disc.half_height - 2*disc.half_flat  -- one width
 
 -- The outline in chords of about `size`, clockwise from the top flat or, mirrored, counter-clockwise from it.
 function disc.outline(size, mirrored)
@@ -72,8 +72,8 @@ function disc.is_split(sim, height)
   return large >= 2
 end
 
--- Whether cracks cross every height clear of the plates: a bond that bridges the gap between two may still hold them together.
--- `blank`: half the height of a hole at mid-height, where there is nothing to crack.
+-- Whether cracks, taken as upright, cross every height clear of the plates: a bond that bridges the gap between two may still hold
+-- the halves together. `blank`: half the height of a hole at mid-height, where there is nothing to crack.
 local function crosses_all(failed, blank)
   local spans = { { -blank, blank } }
   for _, crack in ipairs(failed) do spans[#spans + 1] = { crack.y - crack.length/2, crack.y + crack.length/2 } end
@@ -88,8 +88,11 @@ end
 
 -- Runs it until it splits. What came of it: `first`, the first crack clear of the plates; `initiation` and `splitting`, the loads at
 -- that crack and the largest (N/m); `failed`, each failed joint in order, and how many of them it took to go `through`; whether it
--- `split` within |y| < `height`. Writes an output time at the first crack. `blank`: see above; `only_through`: ends there.
-function disc.break_up(body, more, height, blank, only_through)
+-- `split`. Writes an output time at the first crack. options: `height`, of what has to split; `blank`, see above; `until_through`,
+-- whether to end there.
+function disc.break_up(body, more, options)
+  options = options or {}
+  local height, blank = options.height or disc.clear_of_plates, options.blank or 0
   local seen = { failed = {}, splitting = 0 }
   local fields = {}
   for key, value in pairs(more or {}) do fields[key] = value end
@@ -102,9 +105,9 @@ function disc.break_up(body, more, height, blank, only_through)
         sim:output()
       end
     end
-    seen.split = disc.is_split(sim, height or disc.clear_of_plates)
-    if not seen.through and (seen.split or crosses_all(seen.failed, blank or 0)) then seen.through = #seen.failed end
-    if seen.split or only_through and seen.through then sim:stop() end
+    seen.split = disc.is_split(sim, height)
+    if not seen.through and (seen.split or crosses_all(seen.failed, blank)) then seen.through = #seen.failed end
+    if seen.split or options.until_through and seen.through then sim:stop() end
   end
   local sim = disc.simulation(body, fields)
   sim:run()

@@ -1,5 +1,5 @@
 -- The flattened disc of Ning et al. (2011), Fig. 6: stress before failure, load and path of its splitting on five meshes of about 1400
--- blocks (two of them unless full=true; 15 s CPU).
+-- blocks (two of them unless full=true, 15 s CPU).
 -- Sources: a disc under arcs of half-angle a: at its centre 2P/(pi D)·(sin 2a / a - 1) (Hondros 1959). Splitting load: the load at
 -- which the tension along the loaded diameter reaches the strength on a mesh of blocks of 0.7 mm that does not break.
 local talus = require "talus"
@@ -51,7 +51,7 @@ talus.check.between("elasticity: load at which the diameter reaches its strength
 
 local splitting = {}
 for _, size in ipairs(full and { 1.74, 1.78, 1.8, 1.82, 1.85 } or { 1.78, 1.85 }) do
-  local sim, seen = disc.break_up(body(size*u.mm, disc.joint()), {}, nil, nil, true)
+  local sim, seen = disc.break_up(body(size*u.mm, disc.joint()), nil, { until_through = true })
   local label = string.format("disc of %d blocks: ", #sim.blocks)
   splitting[#splitting + 1] = seen.splitting
   talus.check.truth(label .. "split", seen.through ~= nil)
