@@ -143,6 +143,14 @@ struct EdgeFixity {  // an edge bonded to the ground
   double length = 0;
 };
 
+struct ViscousEdge {  // or a part of one, that absorbs waves
+  int block = 0, edge = 0;  // the block's own edge, by local number
+  std::array<Vec2, 2> in_block;
+  Vec2 normal = Vec2::Zero();  // outward, reference
+  double length = 0;           // m, reference
+  std::array<Vec2, 2> traction = {Vec2::Zero(), Vec2::Zero()};  // Pa at its Gauss points, found in equilibrium, global
+};
+
 struct PointForce {
   int load = 0, block = 0;  // index into Scene::point_loads
   Vec2 in_block = Vec2::Zero();
@@ -188,6 +196,7 @@ class Model {
   std::vector<Contact> contacts;
   std::vector<PointFixity> point_fixities;
   std::vector<EdgeFixity> edge_fixities;
+  std::vector<ViscousEdge> viscous_edges;
   std::vector<PointForce> point_forces;
   std::vector<EdgeForce> edge_forces;
   std::vector<ProbePoint> probes;

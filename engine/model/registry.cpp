@@ -9,6 +9,7 @@ void visit_state(Model& model, StateVisitor& v) {
   v.growing("contacts", model.contacts);
   v.growing("asleep", model.asleep);
   v("sleeping_contacts", model.sleeping_contacts);
+  v("viscous_edges", model.viscous_edges);
   visit_values(model.scene, v);
   v.constant("origin", model.origin);
   v.constant("extent", model.extent);
@@ -196,6 +197,16 @@ void visit_state(EdgeFixity& edge, StateVisitor& v) {
   v("in_block", in_block);
   v("normal", normal);
   v("length", length);
+}
+
+void visit_state(ViscousEdge& edge, StateVisitor& v) {
+  auto& [block, local, in_block, normal, length, traction] = edge;
+  v.constant("block", block);
+  v.constant("edge", local);
+  v.constant("in_block", in_block);
+  v.constant("normal", normal);
+  v.constant("length", length);
+  v("traction", traction);
 }
 
 void visit_state(PointForce& point, StateVisitor& v) {

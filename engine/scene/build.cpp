@@ -46,6 +46,7 @@ void shift(Scene& scene, const Vec2& origin) {
   };
   for (Fixity& fixity : scene.fixities) move_on(fixity.on);
   for (EdgeLoad& load : scene.edge_loads) move_on(load.on);
+  for (ViscousBoundary& boundary : scene.viscous_boundaries) move_on(boundary.on);
   for (PointLoad& load : scene.point_loads) load.at -= origin;
   for (Probe& probe : scene.probes) probe.at -= origin;
 }

@@ -1,4 +1,4 @@
-// Fixities, loads and probes find the blocks they act on.
+// Fixities, loads, viscous boundaries and probes find the blocks they act on.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -41,7 +41,7 @@ class Finder {
   }
 
   struct Part {
-    int block;
+    int block, edge;
     Vec2 from, to;
   };
   // Parts of the region's free edges that lie on the segment.
@@ -55,9 +55,18 @@ class Finder {
       if (std::abs(cross(along, a)) > tolerance_ || std::abs(cross(along, b)) > tolerance_) continue;
       const double sa = std::clamp(along.dot(a), 0.0, length), sb = std::clamp(along.dot(b), 0.0, length);
       if (std::abs(sb - sa) <= tolerance_) continue;
-      found.push_back({edge.block, on.from + sa * along, on.from + sb * along});
+      found.push_back({edge.block, edge.edge, on.from + sa * along, on.from + sb * along});
     }
     return found;
+  }
+
+  // Whether two parts are of one edge and share more than a point.
+  bool share(const Part& a, const Part& b) const {
+    if (a.block != b.block || a.edge != b.edge) return false;
+    const double length = (a.to - a.from).norm();
+    const Vec2 along = (a.to - a.from) / length;
+    const auto [low, high] = std::minmax({along.dot(b.from - a.from), along.dot(b.to - a.from)});
+    return std::min(high, length) - std::max(low, 0.0) > tolerance_;
   }
 
  private:
@@ -151,6 +160,46 @@ void attach_edge_load(Model& model, int id, const Finder& finder) {
   }
 }
 
+// Throws where a fixity or an earlier viscous boundary has some of these edges.
+void check_alone(const Model& model, int id, const std::vector<Finder::Part>& parts, const Finder& finder) {
+  const ViscousBoundary& boundary = model.scene.viscous_boundaries[id];
+  const auto check = [&](const On& on, int region, const std::string& whose) {
+    if (region != boundary.region || on.kind != On::line) return;
+    for (const Finder::Part& other : finder.edges_on(on, region))
+      for (const Finder::Part& part : parts)
+        if (finder.share(part, other))
+          throw InputError(boundary.place, "viscous.on", "edges of its own",
+                           "the edge from " + at_text(part.from + model.origin) + " to " +
+                               at_text(part.to + model.origin) + ", which " + whose);
+  };
+  for (const Fixity& fixity : model.scene.fixities) check(fixity.on, fixity.region, "\"" + fixity.name + "\" holds");
+  for (int earlier = 0; earlier < id; ++earlier) {
+    const ViscousBoundary& other = model.scene.viscous_boundaries[earlier];
+    check(other.on, other.region, "is viscous already");
+  }
+}
+
+void attach_viscous(Model& model, int id, const Finder& finder) {
+  const ViscousBoundary& boundary = model.scene.viscous_boundaries[id];
+  const std::string name = model.scene.regions[boundary.region].name;
+  const auto parts = finder.edges_on(boundary.on, boundary.region);
+  if (parts.empty())
+    throw InputError(boundary.place, "viscous.on", line_text(model, boundary.on), "none of region \"" + name + "\" there");
+  if (model.shapes[parts[0].block].dofs == 0)
+    throw InputError(boundary.place, "viscous.region", "a region that can move", "\"" + name + "\", which is held");
+  check_alone(model, id, parts, finder);
+  for (const Finder::Part& part : parts) {
+    const Vec2 centroid = model.shapes[part.block].reference_centroid;
+    ViscousEdge edge;
+    edge.block = part.block;
+    edge.edge = part.edge;
+    edge.in_block = {part.from - centroid, part.to - centroid};
+    edge.length = (part.to - part.from).norm();
+    edge.normal = -perp(part.to - part.from) / edge.length;
+    model.viscous_edges.push_back(edge);
+  }
+}
+
 void attach_probe(Model& model, int id, const Finder& finder) {
   const Probe& probe = model.scene.probes[id];
   const std::vector<int> blocks = finder.blocks_at(probe.at, probe.region);
@@ -171,6 +220,7 @@ void attach(Model& model, const std::vector<FreeEdge>& edges) {
   each(model.scene.fixities.size(), attach_fixity);
   each(model.scene.point_loads.size(), attach_point_load);
   each(model.scene.edge_loads.size(), attach_edge_load);
+  each(model.scene.viscous_boundaries.size(), attach_viscous);
   each(model.scene.probes.size(), attach_probe);
 }
 

@@ -193,14 +193,14 @@ void add_tessellation(Model& model, int region_id, const Tessellation& t, const 
       model.pair_property[(std::int64_t(std::min(a, b)) << 32) | std::max(a, b)] = property;
   }
   for (const BoundaryEdge& edge : boundary_edges(t))
-    edges.push_back({region_id, first + edge.cell, t.points[edge.p], t.points[edge.q]});
+    edges.push_back({region_id, first + edge.cell, edge_from(t.cells[edge.cell], edge.p), t.points[edge.p], t.points[edge.q]});
 }
 
 void add_ready_blocks(Model& model, int region_id, std::vector<FreeEdge>& edges) {
   for (const Polyline& outline : model.scene.regions[region_id].outlines) {
     const int block = add_block(model, region_id, outline);
     for (size_t i = 0; i < outline.size(); ++i)
-      edges.push_back({region_id, block, outline[i], outline[(i + 1) % outline.size()]});
+      edges.push_back({region_id, block, int(i), outline[i], outline[(i + 1) % outline.size()]});
   }
 }
 

@@ -5,14 +5,14 @@
 
 namespace talus {
 
-// A free edge of a region at the start, for loads and fixities: block, ends from its reference centroid.
+// A free edge of a region at the start, for loads and boundaries: block and the number of its edge.
 struct FreeEdge {
-  int region, block;
+  int region, block, edge;
   Vec2 from, to;  // model coordinates, block on the left
 };
 
 void check_regions(Scene& scene);                                          // also turns outlines counter-clockwise
 std::vector<FreeEdge> build_blocks(Model& model);                          // blocks, joints, nodes
-void attach(Model& model, const std::vector<FreeEdge>& edges);             // fixities, loads, probes
+void attach(Model& model, const std::vector<FreeEdge>& edges);             // fixities, loads, viscous boundaries, probes
 
 }  // namespace talus

@@ -47,6 +47,7 @@ Plan make_plan(const Model& model) {
   plan.fracture = breakable_count > 0;
   plan.contacts = count_bodies(model) > 1 || !model.pair_property.empty() || plan.fracture;
   plan.fixities = !model.edge_fixities.empty() || !model.point_fixities.empty();
+  plan.viscous = !model.viscous_edges.empty();
   plan.point_loads = !model.point_forces.empty();
   plan.edge_loads = !model.edge_forces.empty();
   plan.body_forces = scene.gravity != Vec2::Zero() || std::any_of(scene.regions.begin(), scene.regions.end(), any_body_force);
@@ -56,7 +57,8 @@ Plan make_plan(const Model& model) {
   plan.moving_supports = std::any_of(scene.fixities.begin(), scene.fixities.end(), [](const Fixity& fixity) {
     return fixity.motion != Fixity::none || fixity.spin != 0;
   });
-  plan.damping = plan.dynamic && scene.numerics.integrator == Integrator::newmark && scene.numerics.dynamic_parameter < 1;
+  plan.damping = plan.dynamic && (scene.numerics.damping || (scene.numerics.integrator == Integrator::newmark &&
+                                                              scene.numerics.dynamic_parameter < 1));
   plan.held_blocks = std::any_of(model.shapes.begin(), model.shapes.end(), [](const auto& s) { return s.dofs == 0; });
   plan.recovery = scene.numerics.recovery && plan.bonds;
 
@@ -80,6 +82,8 @@ Plan make_plan(const Model& model) {
   line(plan.contacts, "contacts", "search, open-close, Coulomb friction");
   line(plan.fixities, "fixities", count_text(model.edge_fixities.size(), "edge") + ", " +
                                       count_text(model.point_fixities.size(), "point"));
+  line(plan.viscous, "viscous boundaries", count_text(model.viscous_edges.size(), "edge") +
+                                                (plan.dynamic ? "" : ", held: nothing moves that they could absorb"));
   line(plan.point_loads, "point loads", count_text(model.point_forces.size(), "block"));
   line(plan.edge_loads, "edge loads", count_text(model.edge_forces.size(), "edge"));
   line(plan.body_forces, "body forces", "gravity or body force");

@@ -150,6 +150,13 @@ struct EdgeLoad {
   std::array<History, 2> traction;  // Pa (global); pressure in [0], positive towards the rock, follows the edge
 };
 
+// Edges that absorb waves; held in equilibrium.
+struct ViscousBoundary {
+  Place place;
+  int region = -1;
+  On on;  // line only
+};
+
 struct Probe {
   Place place;
   std::string name;
@@ -187,6 +194,8 @@ struct Numerics {
   Integrator integrator = Integrator::theta;
   double theta = 0.75;             // [0.5, 1]
   double dynamic_parameter = 1;    // [0, 1], part of the velocity a step inherits (newmark)
+  // Part of its velocity that a block of this speed (m/s) keeps after a step (s), [0, 1]; empty: all of it.
+  std::function<double(double speed, double dt)> damping;
   double contact_tolerance = 1e-8; // contact residual / force scale of a block
   double static_tolerance = 1e-8;  // out-of-balance force / force scale
   int max_iterations = 60;         // open–close iterations before the step is cut
@@ -230,6 +239,7 @@ struct Scene {
   std::vector<Fixity> fixities;
   std::vector<PointLoad> point_loads;
   std::vector<EdgeLoad> edge_loads;
+  std::vector<ViscousBoundary> viscous_boundaries;
   std::vector<Probe> probes;
   TimeControl time;
   Numerics numerics;

@@ -116,6 +116,18 @@ std::function<double(double)> history_law(const LuaFunction& law, const Place& p
   };
 }
 
+std::function<double(double, double)> damping_law(const LuaFunction& law, const Place& place) {
+  return [law, place](double speed, double dt) {
+    constexpr const char* names[] = {"speed", "dt"};
+    const double arguments[] = {speed, dt};
+    LawResult result = call_law(law, names, arguments);
+    if (result.problem.empty() && !(result.value >= 0 && result.value <= 1))
+      result.problem = arguments_text(names, arguments) + ": expected a number in [0, 1], got " + number_text(result.value);
+    if (!result.problem.empty()) throw LawError(place.text() + ": numerics.damping: " + result.problem);
+    return result.value;
+  };
+}
+
 std::function<double(Vec2)> size_law(const LuaFunction& law, const Place& place, const std::string& label) {
   return [law, place, label](Vec2 point) {
     constexpr const char* names[] = {"x", "y"};

@@ -36,6 +36,9 @@ LawResult call_law(const LuaFunction& law, std::span<const char* const> names, s
 // Histories: f(t). Throws RunError naming the law, its place, t and what it returned.
 std::function<double(double)> history_law(const LuaFunction& law, const Place& place, const std::string& label);
 
+// Damping laws: k(speed, dt) in [0, 1]. Throws LawError.
+std::function<double(double, double)> damping_law(const LuaFunction& law, const Place& place);
+
 // Mesh size fields: f(x, y) > 0. Throws InputError.
 std::function<double(Vec2)> size_law(const LuaFunction& law, const Place& place, const std::string& label);
 

@@ -1,5 +1,6 @@
 #include "script/scene_reader.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "script/failure_laws.h"
@@ -211,6 +212,14 @@ EdgeLoad read_edge_load(const TableReader& t) {
   return l;
 }
 
+ViscousBoundary read_viscous(const TableReader& t) {
+  ViscousBoundary v;
+  read_head(t, v);
+  t.read_index("region", v.region);
+  read_on(t, v.on);
+  return v;
+}
+
 TimeControl read_time(const TableReader& t) {
   TimeControl c;
   read_head(t, c);
@@ -226,12 +235,26 @@ TimeControl read_time(const TableReader& t) {
   return c;
 }
 
+void read_damping(const TableReader& t, Numerics& numerics) {
+  Place place;
+  t.read("place", place);
+  if (t.push("damping")) {
+    numerics.damping = damping_law(LuaFunction(t.state(), -1), place);
+    lua_pop(t.state(), 1);
+  }
+  if (double rate = 0; t.has("damping_rate")) {
+    t.read("damping_rate", rate);
+    numerics.damping = [rate](double, double dt) { return std::exp(-rate * dt); };
+  }
+}
+
 Numerics read_numerics(const TableReader& t) {
   Numerics n;
   t.read("profile", n.profile);
   read_enum(t, "integrator", {{"theta", Integrator::theta}, {"newmark", Integrator::newmark}}, n.integrator);
   t.read("theta", n.theta);
   t.read("dynamic_parameter", n.dynamic_parameter);
+  read_damping(t, n);
   t.read("contact_tolerance", n.contact_tolerance);
   t.read("static_tolerance", n.static_tolerance);
   t.read("max_iterations", n.max_iterations);
@@ -278,6 +301,7 @@ Scene read_scene(const TableReader& t) {
   t.each("fixities", [&](const TableReader& e) { s.fixities.push_back(read_fixity(e)); });
   t.each("point_loads", [&](const TableReader& e) { s.point_loads.push_back(read_point_load(e)); });
   t.each("edge_loads", [&](const TableReader& e) { s.edge_loads.push_back(read_edge_load(e)); });
+  t.each("viscous", [&](const TableReader& e) { s.viscous_boundaries.push_back(read_viscous(e)); });
   t.each("probes", [&](const TableReader& e) {
     Probe& probe = s.probes.emplace_back();
     read_head(e, probe);

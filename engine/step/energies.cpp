@@ -7,17 +7,20 @@ namespace talus {
 
 double kinetic_energy(const Model& model, double ahead) {
   double sum = 0;
-  for (int b = 0; b < int(model.blocks.size()); ++b) {
-    if (model.shapes[b].dofs == 0) continue;
-    const BlockState& state = model.blocks[b];
-    const auto v = Eigen::Map<const DofColumn>(state.velocity.data());
-    sum += v.dot(mass_matrix(model, b) * v) / 2;
-    if (model.shapes[b].dofs == 3) continue;
-    const Vec3 at_y = state.strain + ahead / model.shapes[b].length * Vec3(v[3], v[4], v[5]);
-    const double x = moment_of_inertia(model, b, state.strain), y = moment_of_inertia(model, b, at_y);
-    sum += (x * x / y - moment_of_inertia(model, b, Vec3::Zero())) * v[2] * v[2] / 2;
-  }
+  for (int b = 0; b < int(model.blocks.size()); ++b) sum += kinetic_energy(model, b, ahead);
   return sum;
+}
+
+double kinetic_energy(const Model& model, int b, double ahead) {
+  const BlockShape& shape = model.shapes[b];
+  if (shape.dofs == 0) return 0;
+  const BlockState& state = model.blocks[b];
+  const auto v = Eigen::Map<const DofColumn>(state.velocity.data());
+  const double at_reference = v.dot(mass_matrix(model, b) * v) / 2;
+  if (shape.dofs == 3) return at_reference;
+  const Vec3 at_y = state.strain + ahead / shape.length * Vec3(v[3], v[4], v[5]);
+  const double x = moment_of_inertia(model, b, state.strain), y = moment_of_inertia(model, b, at_y);
+  return at_reference + (x * x / y - moment_of_inertia(model, b, Vec3::Zero())) * v[2] * v[2] / 2;
 }
 
 double strain_energy(const Model& model, const JointTerms& joints, const Supports& supports, double ahead) {

@@ -10,6 +10,7 @@ namespace talus {
 // I(e)ω is kept (step/update.cpp), and ½Iω² changes by the work of the centrifugal forces. Held blocks are not
 // counted.
 double kinetic_energy(const Model& model, double ahead);
+double kinetic_energy(const Model& model, int block, double ahead);
 
 // A (½ ε·Dε + σ0·ε) of the blocks, and the potentials of bonds and supports.
 double strain_energy(const Model& model, const JointTerms& joints, const Supports& supports, double ahead);

@@ -12,6 +12,9 @@ bool always(const Plan&) {
 bool with_motion(const Plan& plan) {
   return plan.dynamic;
 }
+bool with_dashpots(const Plan& plan) {
+  return plan.viscous && plan.dynamic;
+}
 bool with_contacts(const Plan& plan) {
   return plan.contacts;
 }
@@ -33,11 +36,13 @@ std::span<const EnergyTerm> energy_terms() {
       {"external", "external_work", "loads", EnergyTerm::put_in, &Energies::external,
        "work of loads and body forces", [](const Plan& plan) { return plan.loads; }},
       {"boundary", "boundary_work", "moving supports", EnergyTerm::put_in, &Energies::boundary,
-       "work of supports and held regions that move", [](const Plan& plan) { return plan.moving_supports; }},
+       "work of supports and held regions that move, and of what viscous boundaries carried at the start", [](const Plan& plan) { return plan.moving_supports || with_dashpots(plan); }},
       {"friction", "friction_work", "friction", EnergyTerm::lost, &Energies::friction, "lost to sliding",
        with_contacts},
       {"damping", "damping_work", "damping", EnergyTerm::lost, &Energies::damping,
-       "taken by the dynamic parameter", [](const Plan& plan) { return plan.damping; }},
+       "taken by the dynamic parameter or a damping law", [](const Plan& plan) { return plan.damping; }},
+      {"viscous", "viscous_work", "viscous boundaries", EnergyTerm::lost, &Energies::viscous,
+       "absorbed by viscous boundaries", with_dashpots},
       {"fracture", "fracture_work", "fracture", EnergyTerm::lost, &Energies::fracture, "released by bonds that failed",
        [](const Plan& plan) { return plan.fracture; }},
       {"numerical", "numerical_loss", "integrator", EnergyTerm::lost, &Energies::numerical,

@@ -5,6 +5,7 @@
 
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
+#include "equations/viscous_terms.h"
 
 namespace talus {
 
@@ -23,8 +24,8 @@ DofColumn solution_of(const Model& model, int block, const Vector& d) {
 // Loss of the linear forces along X. They are those of ȳ = (1-β) y0 + β y1; with X̄ = (X0 + X1)/2 and w = ȳ - X̄
 //   -f·ΔX = U(X1) - U(X0) + ΔX·K w.
 // K ΔX is nothing where a body turns as one, which the classic (θ-½) Δv·MΔv is not. K is what the system's matrix
-// has beside inertia.
-double elastic_loss(const BookedStep& s) {
+// has beside inertia and dashpots. Those take ΔX·C ΔX/Δt.
+void book_linear(const BookedStep& s, Ledger& ledger) {
   const Model& model = s.model;
   Vector step = Vector::Zero(model.dofs), w = step, kw = step;
   double inertial = 0;
@@ -39,7 +40,9 @@ double elastic_loss(const BookedStep& s) {
     inertial += own.dot(mass_matrix(model, b) * own_w);
   }
   s.system.matrix.multiply(w, kw);
-  return (step.dot(kw) - s.scheme.inertia * inertial) / s.scheme.bond_d;
+  const double dashpots = s.scheme.velocity_d / 2 * viscous_form(model, s.poses, step, w);
+  ledger.numerical_flow += (step.dot(kw) - s.scheme.inertia * inertial - dashpots) / s.scheme.bond_d;
+  ledger.viscous_work += viscous_form(model, s.poses, step, step) / s.scheme.dt;
 }
 
 struct GapRate {
@@ -65,7 +68,7 @@ void keep_largest(Ledger& ledger) {
 }  // namespace
 
 void visit_state(Ledger& ledger, StateVisitor& v) {
-  auto& [ahead, gravity_work, external_work, boundary_work, friction_work, damping_work, fracture_work,
+  auto& [ahead, gravity_work, external_work, boundary_work, friction_work, damping_work, viscous_work, fracture_work,
          numerical_flow, start_energy, start_shift, largest_work] = ledger;
   v("ahead", ahead);
   v("gravity_work", gravity_work);
@@ -73,6 +76,7 @@ void visit_state(Ledger& ledger, StateVisitor& v) {
   v("boundary_work", boundary_work);
   v("friction_work", friction_work);
   v("damping_work", damping_work);
+  v("viscous_work", viscous_work);
   v("fracture_work", fracture_work);
   v("numerical_flow", numerical_flow);
   v("start_energy", start_energy);
@@ -81,10 +85,10 @@ void visit_state(Ledger& ledger, StateVisitor& v) {
 }
 
 void visit_state(Energies& energies, StateVisitor& v) {
-  auto& [kinetic, strain, contact, gravity, total, external, boundary, friction, damping, fracture, numerical, unexplained,
-         scale] = energies;
+  auto& [kinetic, strain, contact, gravity, total, external, boundary, friction, damping, viscous, fracture,
+         numerical, unexplained, scale] = energies;
   for (double* energy : {&kinetic, &strain, &contact, &gravity, &total, &external, &boundary, &friction, &damping,
-                         &numerical, &unexplained, &scale})
+                         &viscous, &fracture, &numerical, &unexplained, &scale})
     v("energy", *energy);
 }
 
@@ -92,15 +96,18 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   const Model& model = s.model;
   const double time = model.time + s.scheme.load_time, before = ledger.ahead, after = s.scheme.bond_ahead;
   // A load that puts `force` on a block: its work along y, and what of it the way from X to y takes or gives.
-  const auto load = [&](int block, const DofColumn& force) {
+  const auto load = [&](int block, const DofColumn& force, double& work) {
     const DofColumn v0 = velocity_of(model, block), d = solution_of(model, block, s.d);
     const double along_x = force.dot(s.scheme.step_v * v0 + s.scheme.move_d * d);
     const double shift = force.dot(after * (v0 + s.scheme.velocity_d * d) - before * v0);
-    ledger.external_work += along_x + shift;
+    work += along_x + shift;
     ledger.numerical_flow += shift;
   };
   each_load(model, s.poses, time, [&](int block, const Vec2& at, const Vec2& force) {
-    if (model.shapes[block].dofs > 0) load(block, s.poses.blocks[block].rows(at).transpose() * force);
+    if (model.shapes[block].dofs > 0) load(block, s.poses.blocks[block].rows(at).transpose() * force, ledger.external_work);
+  });
+  each_viscous_traction(model, s.poses, [&](int block, const Vec2& at, const Vec2& force) {
+    load(block, s.poses.blocks[block].rows(at).transpose() * force, ledger.boundary_work);
   });
   for (int b = 0; b < int(model.blocks.size()); ++b) {
     const BlockShape& shape = model.shapes[b];
@@ -111,11 +118,12 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
     if (!own[0].given() && !own[1].given()) continue;
     DofColumn force = DofColumn::Zero();
     force.head<2>() = shape.area * body_force(model, shape.region, 0, time);
-    load(b, force);
+    load(b, force, ledger.external_work);
   }
   const Supports::Work moved = s.supports.work(model, s.poses, s.scheme, s.d, s.moved, before, after);
   ledger.boundary_work += moved.boundary;
-  ledger.numerical_flow += elastic_loss(s) + moved.numerical;
+  ledger.numerical_flow += moved.numerical;
+  book_linear(s, ledger);
   keep_largest(ledger);
 }
 

@@ -20,9 +20,10 @@ struct Ledger {
   double ahead = 0;           // s, of the last accepted step
   double gravity_work = 0;    // along X
   double external_work = 0;   // loads and body forces, along y
-  double boundary_work = 0;   // moving supports and held blocks
+  double boundary_work = 0;   // moving supports and held blocks; what viscous boundaries carried at the start
   double friction_work = 0;   // dissipated
-  double damping_work = 0;    // taken by the dynamic parameter
+  double damping_work = 0;    // taken by the dynamic parameter or a damping law
+  double viscous_work = 0;    // absorbed by viscous boundaries
   double fracture_work = 0;   // released by bonds that failed
   double numerical_flow = 0;  // the integrator's loss but for what is read off the state (start_shift)
   double start_energy = 0;    // kinetic and stored, at y
@@ -36,7 +37,7 @@ struct Energies {
   double kinetic = 0, strain = 0, contact = 0, gravity = 0;  // stored; gravity: since the start
   double total = 0;                                          // their sum
   double external = 0, boundary = 0;                         // put in since the start
-  double friction = 0, damping = 0, fracture = 0, numerical = 0;  // lost since the start
+  double friction = 0, damping = 0, viscous = 0, fracture = 0, numerical = 0;  // lost since the start
   double unexplained = 0;                                    // total - start - put in + lost
   double scale = 0;  // the larger of kinetic and stored energy at the start and the largest work put in
 };

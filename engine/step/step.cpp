@@ -8,8 +8,10 @@
 
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
+#include "equations/viscous_terms.h"
 #include "model/registry.h"
 #include "model/saved_state.h"
+#include "step/damping.h"
 #include "step/part_timer.h"
 #include "step/update.h"
 
@@ -159,6 +161,7 @@ StepReport Stepper::dynamic_step() {
     }
 
     // 6. The step is accepted: geometry, velocities, contact and joint states.
+    const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved, dt) : std::vector<double>{};
     accept(std::move(moved), scheme, d);
     count(result);
     attempt.keep();
@@ -169,11 +172,7 @@ StepReport Stepper::dynamic_step() {
       report.failures = int(fracture_->events().size());
     }
     if (numerics.sleeping && report.failures == 0) sleep_.fall_asleep(model_, islands_, search_.near());
-    if (numerics.integrator == Integrator::newmark && numerics.dynamic_parameter < 1) {
-      ledger_.damping_work += (1 - numerics.dynamic_parameter * numerics.dynamic_parameter) * kinetic_energy(model_, 0);
-      for (BlockState& state : model_.blocks)
-        for (double& v : state.velocity) v *= numerics.dynamic_parameter;
-    }
+    ledger_.damping_work += damp(model_, kept);
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
     step_size_.accepted(dt, report.displacement, result.iterations);
@@ -202,6 +201,7 @@ std::string Stepper::settle() {
   // starts from there, or the first steps would shake it.
   if (plan_.contacts) settles(false, release_hold, release_iterations, released);
   for (Contact& contact : model_.contacts) contact.slip = 0;
+  keep_viscous_tractions(model_);
   return {};
 }
 
@@ -362,6 +362,7 @@ void Stepper::assemble(const Scheme& scheme, bool stick) {
     bridges_.add(model_, poses_, scheme, system_);
   }
   if (plan_.fixities) supports_.add(model_, poses_, scheme, system_);
+  if (plan_.viscous) add_viscous_edges(model_, poses_, scheme, system_);
   add_loads(model_, poses_, scheme, system_);
   islands_.find(model_, contacts_, !model_.scene.numerics.islands);
 }
@@ -451,6 +452,7 @@ Energies Stepper::energies() {
   Energies e;
   e.kinetic = plan_.dynamic ? kinetic_energy(model_, ahead) : 0;
   e.strain = strain_energy(model_, joints_, supports_, ahead);
+  if (!plan_.dynamic) e.strain += viscous_hold_energy(model_);
   e.contact = contact_energy(model_);
   e.gravity = gravity_ahead - ledger_.gravity_work;
   e.total = e.kinetic + e.strain + e.contact + e.gravity;
@@ -458,12 +460,14 @@ Energies Stepper::energies() {
   e.boundary = ledger_.boundary_work;
   e.friction = ledger_.friction_work;
   e.damping = ledger_.damping_work;
+  e.viscous = ledger_.viscous_work;
   e.fracture = ledger_.fracture_work;
   double shift = gravity_ahead;  // at y less at X: part of the integrator's loss that needs no booking
   if (ahead != 0)
     shift += e.strain - strain_energy(model_, joints_, supports_, 0) + e.kinetic - kinetic_energy(model_, 0);
   e.numerical = ledger_.numerical_flow - (shift - ledger_.start_shift);
-  e.unexplained = e.total - ledger_.start_energy - e.external - e.boundary + e.friction + e.damping + e.fracture + e.numerical;
+  e.unexplained = e.total - ledger_.start_energy - e.external - e.boundary + e.friction + e.damping + e.viscous +
+                  e.fracture + e.numerical;
   e.scale = std::max(ledger_.start_energy, ledger_.largest_work);
   return e;
 }

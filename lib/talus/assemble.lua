@@ -29,7 +29,7 @@ local function new_assembly(simulation)
     rosters = { material = new_roster "material", joint = new_roster "joint", region = new_roster "region",
                 fix = new_roster "fix", load = new_roster "load" },
     scene = { materials = {}, properties = {}, regions = {}, contact_rules = {}, fixities = {}, point_loads = {},
-              edge_loads = {}, probes = {} },
+              edge_loads = {}, viscous = {}, probes = {} },
     properties = {},  -- joint -> { [young or false] = index }
     changes = {},     -- { object, list, index, flat = function() … end }
   }
@@ -156,6 +156,13 @@ local function add_boundaries(assembly, links)
   end
 end
 
+local function add_viscous(assembly, links)
+  local list = assembly.scene.viscous
+  for _, boundary in ipairs(given(assembly.simulation, "boundaries") or {}) do
+    for _, entry in ipairs(flatten.viscous(boundary, links)) do list[#list + 1] = entry end
+  end
+end
+
 local function add_probes(assembly, links)
   for i, entry in ipairs(given(assembly.simulation, "probes") or {}) do
     local probe = entry.value
@@ -177,7 +184,9 @@ local function time_of(time)
 end
 
 local function numerics_of(numerics)
-  local flat = {}
+  local flat = { place = object.place(numerics) }
+  local damping = given(numerics, "damping")
+  if object.kind(damping) then flat.damping_rate = get(damping, "rate") else flat.damping = damping end
   for _, name in ipairs { "profile", "integrator", "theta", "dynamic_parameter", "contact_tolerance",
       "static_tolerance", "max_iterations", "threads", "islands",
       "sleeping", "solver", "recovery" } do
@@ -229,6 +238,7 @@ local function assemble(simulation)
   scene.contact = joint_index(assembly, contact, softest(regions))
   add_contacts(assembly, given(simulation, "contacts") or {})
   add_boundaries(assembly, links)
+  add_viscous(assembly, links)
   add_probes(assembly, links)
   scene.time = time_of(given(simulation, "time"))
   scene.numerics = numerics_of(given(simulation, "numerics") or profile.presets.default)

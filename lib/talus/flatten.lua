@@ -101,7 +101,7 @@ function flatten.point_load(load, name, links)
   return { flat }
 end
 
-local function edge_load(load, name, links)
+local function on_edges(load, name, links)
   local list = {}
   for i, on in ipairs(targets(load, links)) do
     local region = links.region_index(given(load, "region"), load)
@@ -111,15 +111,19 @@ local function edge_load(load, name, links)
 end
 
 function flatten.edge_load(load, name, links)
-  local list = edge_load(load, name, links)
+  local list = on_edges(load, name, links)
   for _, flat in ipairs(list) do flat.traction = given(load, "traction") end
   return list
 end
 
 function flatten.pressure(load, name, links)
-  local list = edge_load(load, name, links)
+  local list = on_edges(load, name, links)
   for _, flat in ipairs(list) do flat.pressure = given(load, "value") end
   return list
+end
+
+function flatten.viscous(boundary, links)
+  return on_edges(boundary, nil, links)
 end
 
 local function flatten_source(source, far, region, holes)

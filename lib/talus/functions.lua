@@ -22,7 +22,7 @@ return {
     { "sim.time, sim.dt", "time now, last step (s)" },
     { "sim.finished, sim.last", "whether the run is finished; status of the last step" },
     { "sim.energy", "the energy ledger now: {kinetic, strain, contact, gravity, total, external, boundary, friction, damping,"
-        .. " numerical, unexplained, scale} (J per metre), those that the scene can have; see Energies" },
+        .. " viscous, fracture, numerical, unexplained, scale} (J per metre), those that the scene can have; see Energies" },
     { "sim.totals",
       "{steps, steps_at_rest (nothing moved, nothing was solved), steps_by_sweeps (without a factor), islands {at_rest, single"
         .. " (a block alone), by_sweeps, with_factor, asleep}, iterations, sweeps (over the contacts), cuts, factorisations, largest_iterations, largest_residual, seconds}; seconds: CPU time by part" },

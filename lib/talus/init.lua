@@ -26,7 +26,7 @@ local function closed(name, contents)
 end
 
 for _, kind in ipairs { "material", "joint", "trace", "joint_set", "fix", "point_load", "edge_load", "pressure",
-    "contact", "probe", "grade" } do
+    "viscous", "contact", "probe", "grade" } do
   talus[kind] = function(fields) return object.new(kind, fields) end
 end
 
@@ -34,6 +34,8 @@ local laws = { hoek_brown = require("talus.fracture_laws").hoek_brown }
 for _, kind in ipairs { "softening", "slip_weakening", "barton_bandis", "weibull" } do
   laws[kind] = function(fields) return object.new(kind, fields) end
 end
+
+local damping = { velocity = function(fields) return object.new("velocity_damping", fields) end }
 
 function talus.region(fields)
   local region = object.new("region", fields)
@@ -46,6 +48,7 @@ talus.simulation = require "talus.simulation"
 talus.param = require "talus.param"
 talus.units = closed("talus.units", require("talus.units").units)
 talus.laws = closed("talus.laws", laws)
+talus.damping = closed("talus.damping", damping)
 talus.check = closed("talus.check", require "talus.check")
 talus.profile = closed("talus.profile", require("talus.profile").presets)
 

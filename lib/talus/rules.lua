@@ -1,4 +1,6 @@
 -- What must hold between the fields of one object. A rule gets the given values and `bad(field, expected, got)`.
+local native = require "talus.native"
+
 local rules = {}
 
 local function one_of(values, a, b, bad)
@@ -64,6 +66,22 @@ function rules.fix(values, bad)
   if values.displacement and values.velocity then bad(nil, "displacement or velocity", "both") end
   if values.spin and values.on then bad("spin", "a fixity of the whole region", "one with `on`") end
   if values.x == false and values.y == false then bad(nil, "x or y to be held", "neither") end
+end
+
+-- The law is tried standing and moving, twice alike: steps call it again when they are repeated.
+function rules.numerics(values, bad)
+  local law = values.damping
+  if type(law) ~= "function" then return end
+  for _, speed in ipairs { 0, 1 } do
+    local at = ("at speed = %g, dt = 0.001"):format(speed)
+    local worked, kept = pcall(law, speed, 1e-3)
+    if not worked then bad("damping", "a function that works " .. at, tostring(kept)) end
+    if not math.type(kept) or not (kept >= 0 and kept <= 1) then
+      bad("damping", "a number in [0, 1] " .. at, native.describe(kept))
+    end
+    local _, again = pcall(law, speed, 1e-3)
+    if again ~= kept then bad("damping", "the same answer to the same question " .. at, ("%s, then %s"):format(kept, again)) end
+  end
 end
 
 function rules.line(values, bad)

@@ -56,6 +56,14 @@ return {
     },
   },
   {
+    kind = "viscous", call = "talus.viscous",
+    doc = "Edges that let waves out (Lysmer & Kuhlemeyer 1969): dashpots with the P and S speeds of the rock behind them. While"
+      .. " equilibrium is sought (`start = \"settled\"`, static mode) they are held like a fixed edge; what they carry then stays"
+      .. " as a constant traction. Dashpots bear no weight: without a settled start, and under loads that come and stay, the"
+      .. " region sinks or drifts on them.",
+    fields = { region(true, nil, "its name, or the region itself"), on(true) },
+  },
+  {
     kind = "contact", call = "talus.contact", doc = "The joint property of contacts between two regions.",
     fields = {
       { name = "between", type = "list", of = { type = "region" }, count = 2, required = true,

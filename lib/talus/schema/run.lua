@@ -21,6 +21,8 @@ return {
       { name = "fix", type = "list", of = { type = "object", kinds = { "fix" } }, doc = "what is held or moved" },
       { name = "loads", type = "list", of = { type = "object", kinds = { "point_load", "edge_load", "pressure" } },
         doc = "loads" },
+      { name = "boundaries", type = "list", of = { type = "object", kinds = { "viscous" } },
+        doc = "edges that let waves out" },
       { name = "probes", type = "map",
         of = { type = "any", of = { probe, { type = "point", unit = "m" } } },
         doc = "`{ tip = {7.9, 0.5} }`" },
@@ -80,6 +82,10 @@ return {
         doc = "θ of the θ-scheme; ½ keeps waves", source = "damps as Newmark (0.5625, 1)" },
       { name = "dynamic_parameter", type = "number", least = 0, most = 1, default = 1,
         doc = "part of the velocity that a step inherits (newmark)", source = "Shi 1988" },
+      { name = "damping", type = "any",
+        of = { { type = "function" }, { type = "object", kinds = { "velocity_damping" } } }, default_doc = "none",
+        doc = "a `talus.damping.velocity`, or `function(speed, dt)` that returns the part of its velocity, [0, 1], that a block"
+          .. " keeps after each step, from the speed of its centroid (m/s) and the step (s)" },
       { name = "contact_tolerance", type = "number", above = 0, most = 1e-2, default = 1e-8,
         doc = "contact residual / force scale of a block" },
       { name = "static_tolerance", type = "number", above = 0, most = 1e-2, default = 1e-8,
@@ -98,6 +104,14 @@ return {
             .. " blocks and equilibrium are always solved with a factor" },
       { name = "recovery", type = "boolean", default = true,
         doc = "smoothed stress for output and probes, beside the raw one" },
+    },
+  },
+  {
+    kind = "velocity_damping", call = "talus.damping.velocity",
+    doc = "Velocities fall by exp(−rate·Δt) a step, so that what is taken does not depend on the step.",
+    fields = {
+      { name = "rate", type = "number", least = 0, unit = "1/s", required = true,
+        doc = "of velocity; energy falls at twice the rate" },
     },
   },
   {
