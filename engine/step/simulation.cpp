@@ -104,6 +104,8 @@ void Simulation::begin() {
     }
   if (totals.failures > 0)
     notes.push_back(std::to_string(totals.failures) + " bonds are beyond their strength at the start: they begin as cracks");
+  if (plan.viscous && !plan.dynamic)
+    notes.push_back("viscous boundaries are held like fixed edges: in a static scene nothing moves that they could absorb");
   stepper_->begin_ledger();
   begun_ = true;
 }

@@ -55,6 +55,7 @@ Model loaded() {
   model.edge_forces.resize(1);
   model.point_fixities.resize(1);
   model.edge_fixities.resize(1);
+  model.viscous_edges.resize(1);
   return model;
 }
 

@@ -1,7 +1,7 @@
 -- Viscous boundaries: what comes back of waves that meet them straight, energy that they absorb, and a bench that stays where it
 -- settled. A pulse (one sine of 16 blocks' length) runs along a strip held sideways; what comes back is the difference to a
 -- strip that goes on. theta = 0.5, which damps nothing.
--- Source: Lysmer & Kuhlemeyer (1969): dashpots rho c_p, rho c_s absorb all of a wave at normal incidence. (6 s CPU)
+-- Source: Lysmer & Kuhlemeyer (1969): dashpots rho c_p, rho c_s absorb all of a wave at normal incidence. (3 s CPU)
 local talus = require "talus"
 local u = talus.units
 local density, young, poisson, h = 2500, 10*u.GPa, 0.25, 0.1

@@ -1,7 +1,7 @@
 -- A P wave along a bar with exact bonds at 12, 24 and 48 blocks a wavelength: its phase speed, and what of its amplitude is lost
 -- in a wavelength. A sine enters at the left and leaves at a viscous boundary on the right, 4 wavelengths on; phase and amplitude
 -- are those of one period at 1 and 3 wavelengths, when the start has long left. theta = 0.5, 160 steps a period.
--- Source: one-dimensional elastic wave, c = sqrt(E/rho). (8 s CPU)
+-- Source: one-dimensional elastic wave, c = sqrt(E/rho). (3 s CPU)
 local talus = require "talus"
 local u = talus.units
 local density, young, h, steps = 2500, 10*u.GPa, 0.1, 160
