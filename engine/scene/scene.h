@@ -67,6 +67,8 @@ struct JointSet {
   double spacing = 0;           // m, > 0, normal distance between joints
   double persistence = 1;       // (0, 1], jointed part of a line's length
   double trace_length = 0;      // m, length of one jointed part when persistence < 1
+  double trace_length_scatter = 0;  // [0, 1), uniform relative scatter of trace_length
+  double gap_scatter = 0;           // [0, 1), of the bridge's length trace_length·(1/persistence - 1)
   double spacing_scatter = 0;   // [0, 1), uniform relative scatter of the spacing
   double dip_scatter = 0;       // rad, uniform scatter of the dip
   std::optional<Vec2> through;  // a point on one of the joints; else the centre of the region's box

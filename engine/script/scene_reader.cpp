@@ -116,6 +116,8 @@ JointSet read_joint_set(const TableReader& t) {
   t.read("spacing", set.spacing);
   t.read("persistence", set.persistence);
   t.read("trace_length", set.trace_length);
+  t.read("trace_length_scatter", set.trace_length_scatter);
+  t.read("gap_scatter", set.gap_scatter);
   t.read("spacing_scatter", set.spacing_scatter);
   t.read("dip_scatter", set.dip_scatter);
   t.read("through", set.through);

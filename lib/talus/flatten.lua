@@ -163,6 +163,21 @@ local function flatten_mesh(mesh, region, holes)
   return flat
 end
 
+-- Of persistence, trace_length and gap two give the third (rules.joint_set); the engine takes the first two.
+local function jointed_part(set)
+  local persistence, length, gap = given(set, "persistence"), given(set, "trace_length"), given(set, "gap")
+  if gap and length then return length/(length + gap), length end
+  if gap then return persistence, gap*persistence/(1 - persistence) end
+  return persistence or 1, length
+end
+
+local function flatten_joint_set(set)
+  local entry = flatten.fields(set, { "dip", "spacing", "spacing_scatter", "dip_scatter", "trace_length_scatter",
+    "gap_scatter", "through", "seed", "bonded" })
+  entry.persistence, entry.trace_length = jointed_part(set)
+  return entry
+end
+
 local function flatten_cuts(flat, region, joint_index)
   flat.traces, flat.joint_sets = {}, {}
   for _, cut in ipairs(given(region, "cuts") or {}) do
@@ -171,8 +186,7 @@ local function flatten_cuts(flat, region, joint_index)
       list, entry = flat.traces, flatten.fields(cut, { "points", "bonded" })
     else
       list = flat.joint_sets
-      entry = flatten.fields(cut, { "dip", "spacing", "persistence", "trace_length", "spacing_scatter",
-        "dip_scatter", "through", "seed", "bonded" })
+      entry = flatten_joint_set(cut)
     end
     local joint = given(cut, "joint")
     entry.property = joint and joint_index(joint) or flat.joint

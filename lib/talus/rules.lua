@@ -56,9 +56,30 @@ function rules.joint(values, bad)
   laws.try_reduction(values, bad)
 end
 
+-- persistence = trace_length/(trace_length + gap): two of the three give the third.
+local function check_gap(values, bad)
+  local length, gap, persistence = values.trace_length, values.gap, values.persistence
+  if not length then
+    if not persistence then bad("gap", "trace_length or persistence beside it", "gap alone") end
+    if persistence == 1 then bad("gap", "a persistence < 1", "persistence = 1") end
+    return
+  end
+  local follows = length/(length + gap)
+  if persistence and math.abs(persistence - follows) > 1e-6*follows then  -- what a script computes agrees to round-off
+    bad("persistence", ("%.6g, as trace_length/(trace_length + gap), or only two of the three"):format(follows),
+      ("%g"):format(persistence))
+  end
+end
+
 function rules.joint_set(values, bad)
-  if values.persistence and values.persistence < 1 and not values.trace_length then
+  local broken = values.gap or values.persistence and values.persistence < 1
+  if values.gap then
+    check_gap(values, bad)
+  elseif broken and not values.trace_length then
     bad("trace_length", "a number > 0 (m), as persistence < 1", "nothing")
+  end
+  for _, name in ipairs { "trace_length", "trace_length_scatter", "gap_scatter" } do
+    if values[name] and not broken then bad(name, "a persistence < 1 or a gap to go with it", "joints without bridges") end
   end
 end
 

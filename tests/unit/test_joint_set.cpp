@@ -111,6 +111,47 @@ TEST(JointSet, PersistenceIsTheJointedShare) {
   }
 }
 
+// n whole parts and bridges, lengths uniform within ±s of L and ±g of G: the share of the parts has the standard
+// deviation p (1-p) √((s² + g²)/3n). Four of them, beside what the ends of 81 lines of 100 periods make up for.
+TEST(JointSet, ScatteredLengthsKeepThePersistence) {
+  const Vec2 wide(400, 16);
+  for (double persistence : {0.3, 0.6, 0.9}) {
+    JointSet set = broken_joints(0.2, persistence, 4 * persistence);
+    set.trace_length_scatter = 0.8;
+    set.gap_scatter = 0.5;
+    const auto lines = joint_lines(set, {0, 0}, wide);
+    const double whole = 400 * double(joint_lines(joints(0, 0.2), {0, 0}, wide).size()), parts = whole / 4;
+    const double deviation = persistence * (1 - persistence) * std::sqrt((0.8 * 0.8 + 0.5 * 0.5) / 3 / parts);
+    const double ends = 1.0 / 100 / std::sqrt(81.0);  // a part of a period more or less at the ends of each line
+    EXPECT_NEAR(total_length(lines) / whole, persistence, 4 * (deviation + ends)) << persistence;
+    double least = 1e9, most = 0;
+    for (const Polyline& line : lines) {
+      if (line[0].x() < 1e-9 || line[1].x() > 400 - 1e-9) continue;
+      least = std::min(least, line[1].x() - line[0].x());
+      most = std::max(most, line[1].x() - line[0].x());
+    }
+    EXPECT_NEAR(least / set.trace_length, 0.2, 0.01);
+    EXPECT_NEAR(most / set.trace_length, 1.8, 0.01);
+  }
+}
+
+TEST(JointSet, ScatteredLengthsDoNotDependOnTheBox) {
+  JointSet set = joints_through(0.5, {1, 1}, 0.3, 3);
+  set.persistence = 0.6;
+  set.trace_length = 0.8;
+  set.trace_length_scatter = set.gap_scatter = 0.5;
+  const auto small = joint_lines(set, low, high), large = joint_lines(set, {-40, -30}, {50, 40});
+  std::size_t inner = 0;
+  for (const Polyline& line : small) {
+    if (on_box(line[0]) || on_box(line[1])) continue;
+    ++inner;
+    EXPECT_TRUE(std::any_of(large.begin(), large.end(), [&](const Polyline& l) {
+      return (l[0] - line[0]).norm() < 1e-9 && (l[1] - line[1]).norm() < 1e-9;
+    }));
+  }
+  EXPECT_GT(inner, 100u);
+}
+
 TEST(JointSet, BridgesAreStaggered) {
   const auto lines = joint_lines(broken_joints(1, 0.5, 2), low, high);
   std::vector<double> starts;
@@ -200,6 +241,10 @@ TEST(JointSet, RefusesWhatCannotBe) {
   EXPECT_THROW(joint_lines(joints(0, 1e-7), low, high), InputError);
   EXPECT_THROW(joint_lines(broken_joints(1, 0.5, 1e-7), low, high), InputError);
   EXPECT_THROW(joint_lines(joints_through(1, {1e12, 1e12}), low, high), InputError);
+  JointSet far = broken_joints(1, 0.5, 0.01);
+  far.through = Vec2(1e7, 5);
+  far.gap_scatter = 0.1;
+  EXPECT_THROW(joint_lines(far, low, high), InputError);
 }
 
 }  // namespace
