@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr double most_lines = 10000;  // cutting a region by n lines costs n² in time and memory: here 10 s, 0.5 GB
-constexpr double most_gaps_to_box = 1e7;  // between `through` and the box
+constexpr double most_gaps_to_box = 1e7;   // between `through` and the box
 constexpr double most_parts_to_box = 1e8;  // the same along all lines together, where lengths scatter: a second
 
 // The direction at an angle, with multiples of 90° exact: horizontal joints shall be horizontal.
@@ -26,9 +26,9 @@ Vec2 direction(double angle) {
 
 // What chance gives line k, drawn from the seed and k alone: a larger box adds lines and changes none.
 struct Draw {
-  double gap;    // to line k + 1, as a multiple of the spacing
-  double tilt;   // rad
-  double phase;  // [0, 1), part of the period of joint and bridge
+  double gap;           // to line k + 1, as a multiple of the spacing
+  double tilt;          // rad
+  double phase;         // [0, 1), part of the period of joint and bridge
   std::uint64_t parts;  // seed of the lengths along the line
 };
 
@@ -93,8 +93,14 @@ Lengths lengths(const JointSet& set, const Draw& line, long m, double jointed, d
 // phase says how far part 0 has come, out to the box.
 class PartsOfLine {
  public:
-  PartsOfLine(const JointSet& set, const Line& line, const Draw& draw, double jointed, std::vector<Polyline>& lines)
-      : set_(set), line_(line), draw_(draw), jointed_(jointed), gap_(jointed / set.persistence - jointed), lines_(lines) {}
+  PartsOfLine(const JointSet& set, const Line& line, const Draw& draw, double jointed,
+              std::vector<Polyline>& lines)
+      : set_(set),
+        line_(line),
+        draw_(draw),
+        jointed_(jointed),
+        gap_(jointed / set.persistence - jointed),
+        lines_(lines) {}
 
   void add_even() const {
     const double period = jointed_ + gap_;

@@ -99,6 +99,13 @@ double signed_area(const Polyline& polygon) {
   return polygon.empty() ? 0 : moments_about(polygon.front(), polygon).area;
 }
 
+double thickness(const Polyline& polygon) {
+  double perimeter = 0;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
+    perimeter += (polygon[i] - polygon[j]).norm();
+  return 2 * signed_area(polygon) / perimeter;
+}
+
 Bounds bounds(const Polyline& points) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Bounds box{Vec2::Constant(infinity), Vec2::Constant(-infinity)};

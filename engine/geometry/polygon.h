@@ -20,6 +20,10 @@ PolygonIntegrals integrate(const Polyline& polygon);  // signed area: negative w
 
 double signed_area(const Polyline& polygon);
 
+// 2·area/perimeter (m): the radius of the inscribed circle where one touches all sides, as in a triangle; the width of
+// a long strip. What tells a sliver.
+double thickness(const Polyline& polygon);
+
 // Axis-parallel box around points. `extent` is its longer side, the length that tolerances refer to.
 struct Bounds {
   Vec2 min, max;

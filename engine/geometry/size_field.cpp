@@ -7,8 +7,17 @@
 
 namespace talus {
 
+MeshFrame MeshFrame::along_first_edge(const Polyline& outline) {
+  return {outline[0], std::sqrt(signed_area(outline)), (outline[1] - outline[0]).normalized()};
+}
+
+Vec2 MeshFrame::local(const Vec2& point) const {
+  const Vec2 from = (point - origin_) / unit_;
+  return {from.dot(axis_), from.dot(perp(axis_))};
+}
+
 Vec2 MeshFrame::local_of_given(const Vec2& point) const {
-  const Vec2 scaled = (point - origin_) / unit_;
+  const Vec2 scaled = local(point);
   return {std::round(scaled.x() / resolution) * resolution, std::round(scaled.y() / resolution) * resolution};
 }
 
@@ -47,16 +56,26 @@ double SizeField::edges_along(const Vec2& a, const Vec2& b) const {
   return cumulated_edges(a, b).back();
 }
 
+// The inverse of a running integral at equal steps; `i` is where the search goes on from.
+double SizeField::fraction(const std::vector<double>& sum, double wanted, std::size_t& i) {
+  while (i + 1 < sum.size() && sum[i] < wanted) ++i;
+  return (static_cast<double>(i - 1) + (wanted - sum[i - 1]) / (sum[i] - sum[i - 1])) /
+         static_cast<double>(sum.size() - 1);
+}
+
+double SizeField::where(const Vec2& a, const Vec2& b, double edges) const {
+  const std::vector<double> sum = cumulated_edges(a, b);
+  std::size_t i = 1;
+  return std::clamp(fraction(sum, edges, i), 0.0, 1.0);
+}
+
 std::vector<double> SizeField::divisions(const Vec2& a, const Vec2& b) const {
   const std::vector<double> sum = cumulated_edges(a, b);
-  const double steps = static_cast<double>(sum.size() - 1);
   const int edges = std::max(1, static_cast<int>(std::lround(sum.back())));
   std::vector<double> cuts;
   std::size_t i = 1;
   for (int k = 1; k < edges; ++k) {
-    const double wanted = sum.back() * k / edges;
-    while (sum[i] < wanted) ++i;
-    cuts.push_back((static_cast<double>(i - 1) + (wanted - sum[i - 1]) / (sum[i] - sum[i - 1])) / steps);
+    cuts.push_back(fraction(sum, sum.back() * k / edges, i));
   }
   return cuts;
 }

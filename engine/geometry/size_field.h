@@ -13,13 +13,20 @@ class MeshFrame {
  public:
   static constexpr double resolution = 0x1p-36;
   explicit MeshFrame(const Polyline& outline) : origin_(bounds(outline).min), unit_(bounds(outline).extent()) {}
+  // Turned with the outline: x runs along its first edge, from its first point, in units of the square root of its
+  // area. What is made in it turns with the scene.
+  static MeshFrame along_first_edge(const Polyline& outline);
+  Vec2 local(const Vec2& point) const;
   Vec2 local_of_given(const Vec2& point) const;
-  Vec2 world(const Vec2& local) const { return origin_ + unit_ * local; }
+  Vec2 world(const Vec2& local) const { return origin_ + unit_ * (local.x() * axis_ + local.y() * perp(axis_)); }
   double unit() const { return unit_; }  // m
 
  private:
+  MeshFrame(const Vec2& origin, double unit, const Vec2& axis) : origin_(origin), unit_(unit), axis_(axis) {}
+
   Vec2 origin_;
   double unit_;
+  Vec2 axis_ = Vec2(1, 0);
 };
 
 class SizeField {
@@ -31,6 +38,8 @@ class SizeField {
   double at(const Vec2& local) const;
   // Edges of the wanted length on a–b: the integral of 1/size.
   double edges_along(const Vec2& a, const Vec2& b) const;
+  // The fraction of a–b by which the integral of 1/size has come to `edges`.
+  double where(const Vec2& a, const Vec2& b, double edges) const;
   // Where to cut a–b into the whole number of edges nearest to that: fractions of its length between 0 and 1.
   std::vector<double> divisions(const Vec2& a, const Vec2& b) const;
   // The integral of 1/size² over the triangle.
@@ -39,6 +48,7 @@ class SizeField {
  private:
   double squares_in(const Vec2& a, const Vec2& b, const Vec2& c, double one_point, int depth) const;
   double one_point_rule(const Vec2& a, const Vec2& b, const Vec2& c) const;
+  static double fraction(const std::vector<double>& sum, double wanted, std::size_t& i);
   std::vector<double> cumulated_edges(const Vec2& a, const Vec2& b) const;
 
   const MeshFrame& frame_;

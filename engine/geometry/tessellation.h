@@ -49,6 +49,16 @@ Tessellation cut(const TessellationInput& input, double sliver = 1e-10);
 // for more, with the expected number. Throws std::invalid_argument where size_at is not positive and finite.
 Tessellation mesh(const TessellationInput& input, const std::function<double(Vec2)>& size_at, long most);
 
+// Convex grains (CGAL, Voronoi): the mean area of a grain is the square of the wanted size_at(point) (m). Sites are
+// placed by the seed, with pairs mirrored at the boundary and at the traces, so that grains end there by themselves
+// and share whole edges across; relaxed by Lloyd's method; and the borders between them cut as traces are. What a
+// trace cuts off a grain that is thinner (2·area/perimeter) than 0.25 of the size joins the grain beside it, and edges
+// shorter than 0.2 of it are closed, which moves points by no more than that. Given points are kept to the bit.
+// Deterministic; the same scene shifted, turned or scaled gives the same grains but for round-off.
+// Throws as `mesh` and `cut` do.
+Tessellation voronoi(const TessellationInput& input, const std::function<double(Vec2)>& size_at, unsigned seed,
+                     long most);
+
 enum class Pattern { cross, diagonal, alternating };
 // A rectangle (four corners, any turn) as nx × ny rectangles, each cut by both diagonals (cells bottom, right,
 // top, left), by the rising one, or by rising and falling ones in turn; nx counts along the side that is most

@@ -205,6 +205,7 @@ class Model {
   std::vector<int> held_by;  // per block: index of the fixity that holds it wholly, or -1
   std::unordered_map<std::int64_t, int> pair_property;  // unbonded interfaces: (a, b) with a < b -> property
   int dofs = 0;
+  std::vector<std::string> notes;  // what building it has to tell the user
 
   int vertex_count(int block) const { return shapes[block].vertex_end - shapes[block].vertex_begin; }
   int next_vertex(int block, int local) const { return local + 1 == vertex_count(block) ? 0 : local + 1; }

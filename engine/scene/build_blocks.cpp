@@ -7,6 +7,7 @@
 #include "geometry/joint_set.h"
 #include "geometry/polygon.h"
 #include "scene/build_parts.h"
+#include "scene/slivers.h"
 
 namespace talus {
 
@@ -43,8 +44,9 @@ Cuts cuts_of(const Region& region) {
   return cuts;
 }
 
-// A trace or a set none of which became an interface was surely meant to do something.
-void check_cuts(const Region& region, const Cuts& cuts, const Tessellation& t) {
+// A trace or a set none of which became an interface was surely meant to do something. Of traces from a file some may
+// lie outside: they are counted.
+void check_cuts(const Region& region, const Cuts& cuts, const Tessellation& t, std::vector<std::string>& notes) {
   std::vector<char> traces(region.traces.size(), false), sets(region.joint_sets.size(), false);
   for (const Tessellation::Interface& face : t.interfaces) {
     if (face.trace < 0) continue;
@@ -52,8 +54,15 @@ void check_cuts(const Region& region, const Cuts& cuts, const Tessellation& t) {
     (set >= 0 ? sets[set] : traces[-1 - set]) = true;
   }
   const char* given = "one that cuts nothing off: it lies outside, or ends inside a block (a mesh keeps such ends)";
-  for (size_t k = 0; k < traces.size(); ++k)
-    if (!traces[k]) throw InputError(region.traces[k].place, "trace", "a joint that bounds blocks of its region", given);
+  long drawn = 0, idle = 0;
+  for (size_t k = 0; k < traces.size(); ++k) {
+    drawn += region.traces[k].drawn;
+    idle += region.traces[k].drawn && !traces[k];
+    if (!traces[k] && !region.traces[k].drawn) throw InputError(region.traces[k].place, "trace", "a joint that bounds blocks of its region", given);
+  }
+  if (idle > 0)
+    notes.push_back("region \"" + region.name + "\": " + std::to_string(idle) + " of " + std::to_string(drawn) +
+                    " traces from files bound no block: they lie outside, or end inside a block");
   for (size_t k = 0; k < sets.size(); ++k)
     if (!sets[k])
       throw InputError(region.joint_sets[k].place, "joint_set", "joints that bound blocks of their region", given);
@@ -71,9 +80,11 @@ std::pair<int, int> pattern_counts(const Polyline& outline, const Mesh& mesh) {
 Tessellation tessellate(const Region& region, const Cuts& cuts, long most) {
   const Mesh& mesh = region.mesh;
   if (mesh.kind == MeshKind::none) return cut(cuts.input);
-  if (mesh.kind == MeshKind::triangles) {
-    const auto uniform = [&mesh](Vec2) { return mesh.size; };
-    return talus::mesh(cuts.input, mesh.size_at ? mesh.size_at : uniform, most);
+  if (mesh.kind == MeshKind::triangles || mesh.kind == MeshKind::voronoi) {
+    const std::function<double(Vec2)> uniform = [&mesh](Vec2) { return mesh.size; };
+    const auto& size_at = mesh.size_at ? mesh.size_at : uniform;
+    return mesh.kind == MeshKind::voronoi ? voronoi(cuts.input, size_at, mesh.seed, most)
+                                          : talus::mesh(cuts.input, size_at, most);
   }
   if (!region.holes.empty() || !cuts.input.traces.empty())
     throw std::invalid_argument("a pattern takes neither holes nor cuts: use kind = \"triangles\"");
@@ -213,9 +224,10 @@ void add_region(Model& model, int region_id, std::vector<FreeEdge>& edges) {
   try {
     if (ready) return add_ready_blocks(model, region_id, edges);
     const Cuts cuts = cuts_of(region);
-    const Tessellation t = tessellate(region, cuts, left);
+    Tessellation t = tessellate(region, cuts, left);
     if (long(t.cells.size()) > left) throw std::length_error(std::to_string(t.cells.size()) + " blocks");
-    check_cuts(region, cuts, t);
+    check_cuts(region, cuts, t, model.notes);
+    treat_slivers(region, model.origin, t, model.notes);
     add_tessellation(model, region_id, t, cuts, edges);
   } catch (const std::length_error& error) {
     const Place& place = region.mesh.place.file.empty() ? region.place : region.mesh.place;

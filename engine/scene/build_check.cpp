@@ -211,8 +211,9 @@ void check_mesh(const Region& region, long most) {
   const double limit = static_cast<double>(most);
   const Place& place = mesh.place.file.empty() ? region.place : mesh.place;
   const std::string field = "mesh of region \"" + region.name + "\"";
-  const bool triangles = mesh.kind == MeshKind::triangles;
-  const double each = triangles ? 2.25 : mesh.kind == MeshKind::cross ? 4 : 2;  // per square of the size, at least
+  const bool triangles = mesh.kind == MeshKind::triangles, grains = mesh.kind == MeshKind::voronoi;
+  // Per square of the size, at least.
+  const double each = grains ? 0.9 : triangles ? 2.25 : mesh.kind == MeshKind::cross ? 4 : 2;
   if (mesh.nx > 0 && mesh.ny > 0) {
     const double blocks = each * mesh.nx * mesh.ny;
     if (blocks <= limit) return;
@@ -221,7 +222,7 @@ void check_mesh(const Region& region, long most) {
   }
   const double blocks = each * squares_of(region);
   if (!(blocks > limit)) return;
-  const double factor = std::sqrt((triangles ? 2.45 / 2.25 : 1) * blocks / limit);
+  const double factor = std::sqrt((triangles ? 2.45 / 2.25 : grains ? 1.1 / 0.9 : 1) * blocks / limit);
   if (mesh.size_at)
     throw InputError(place, field, limit_text(most) + ", so sizes " + enough(factor) + " times as large",
                      "about " + count_text(blocks));

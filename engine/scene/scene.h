@@ -58,6 +58,7 @@ struct Trace {
   Polyline points;  // two or more
   int property = -1;
   bool bonded = false;
+  bool drawn = false;  // from a file: some of many may lie outside or end in the rock
 };
 
 // Parallel joints. Turned into traces by geometry/joint_set, clipped to the region's bounding box.
@@ -77,14 +78,19 @@ struct JointSet {
   bool bonded = false;
 };
 
-enum class MeshKind { none, triangles, cross, diagonal, alternating };
+enum class MeshKind { none, triangles, voronoi, cross, diagonal, alternating };
 struct Mesh {
   Place place;
   MeshKind kind = MeshKind::none;
-  double size = 0;                          // m, wanted edge length (triangles; patterns when nx, ny are 0)
+  double size = 0;                          // m, wanted edge length (triangles; patterns when nx, ny are 0), of grains
+                                            // the square root of the mean area (voronoi)
   std::function<double(Vec2)> size_at;      // optional size field, m, > 0
   int nx = 0, ny = 0;                       // rectangles along x and y (patterns)
+  unsigned seed = 1;                        // voronoi
 };
+
+// What becomes of blocks and edges that a cut leaves too small.
+enum class Slivers { merge, refuse, keep };
 
 struct Hole {
   Place place;
@@ -110,6 +116,8 @@ struct Region {
   Mesh mesh;
   std::vector<Trace> traces;
   std::vector<JointSet> joint_sets;
+  Slivers slivers = Slivers::merge;
+  double sliver_part = 0.02;     // of the wanted or mean block size: thickness below which a block is a sliver
   Vec2 velocity = Vec2::Zero();  // m/s, initial
   double spin = 0;               // rad/s, initial, about `spin_centre` or the region's centroid
   std::optional<Vec2> spin_centre;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "script/drawing_reader.h"
 #include "script/laws.h"
 #include "script/lua_error.h"
 #include "script/nearest.h"
@@ -113,6 +114,12 @@ int native_add_check(lua_State* L) {
   return 0;
 }
 
+// note(text): for the notes of the next simulation
+int native_note(lua_State* L) {
+  Session::of(L).add_note(luaL_checkstring(L, 1));
+  return 0;
+}
+
 // parameter(name, meaning) -> text given with -p, or nothing
 int native_parameter(lua_State* L) {
   const std::string* value = Session::of(L).parameter(luaL_checkstring(L, 1), luaL_checkstring(L, 2));
@@ -158,6 +165,8 @@ int load_native(lua_State* L) {
                                     {"create", guarded<native_create>},
                                     {"update", guarded<native_update>},
                                     {"add_check", guarded<native_add_check>},
+                                    {"note", guarded<native_note>},
+                                    {"read_drawing", guarded<native_read_drawing>},
                                     {"parameter", guarded<native_parameter>},
                                     {"fields", guarded<native_fields>},
                                     {nullptr, nullptr}};

@@ -27,6 +27,7 @@ std::string plan_text(const Simulation& simulation) {
   for (const auto& [part, what] : simulation.plan.lines) {
     text += "  " + part + std::string(width - part.size(), ' ') + "  " + what + "\n";
   }
+  for (const std::string& note : simulation.notes) text += "  note: " + note + "\n";
   return text;
 }
 

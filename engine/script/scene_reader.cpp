@@ -106,6 +106,7 @@ Trace read_trace(const TableReader& t) {
   t.read("points", trace.points);
   t.read_index("property", trace.property);
   t.read("bonded", trace.bonded);
+  t.read("drawn", trace.drawn);
   return trace;
 }
 
@@ -132,6 +133,7 @@ Mesh read_mesh(const TableReader& t, const std::vector<Hole>& holes) {
   read_head(t, mesh);
   read_enum(t, "kind",
             {{"triangles", MeshKind::triangles},
+             {"voronoi", MeshKind::voronoi},
              {"cross", MeshKind::cross},
              {"diagonal", MeshKind::diagonal},
              {"alternating", MeshKind::alternating}},
@@ -139,6 +141,7 @@ Mesh read_mesh(const TableReader& t, const std::vector<Hole>& holes) {
   t.read("nx", mesh.nx);
   t.read("ny", mesh.ny);
   t.read("size", mesh.size);
+  t.read("seed", mesh.seed);
   if (t.push("size_law")) {
     mesh.size_at = size_law(LuaFunction(t.state(), -1), mesh.place, "region.mesh.size");
     lua_pop(t.state(), 1);
@@ -163,6 +166,8 @@ Region read_region(const TableReader& t) {
   t.with("mesh", [&](const TableReader& m) { r.mesh = read_mesh(m, r.holes); });
   t.each("traces", [&](const TableReader& e) { r.traces.push_back(read_trace(e)); });
   t.each("joint_sets", [&](const TableReader& e) { r.joint_sets.push_back(read_joint_set(e)); });
+  read_enum(t, "slivers", {{"merge", Slivers::merge}, {"refuse", Slivers::refuse}, {"keep", Slivers::keep}}, r.slivers);
+  t.read("sliver_part", r.sliver_part);
   t.read("velocity", r.velocity);
   t.read("spin", r.spin);
   t.read("spin_centre", r.spin_centre);

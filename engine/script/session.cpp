@@ -121,6 +121,9 @@ std::shared_ptr<Run> Session::add_run(Scene scene, RunHandlers handlers) {
   if (restart_ && restart_->saved.simulation == settings.number) settings.restart = restart_;
   auto run = Run::create(std::move(scene), std::move(handlers), settings);
   ++runs_made_;
+  std::vector<std::string>& notes = run->simulation.notes;
+  notes.insert(notes.begin(), notes_.begin(), notes_.end());
+  notes_.clear();
   runs_.push_back(run);
   latest_ = run;
   if (options_.on_run) options_.on_run(*run);
@@ -153,6 +156,10 @@ void Session::add_check(const CheckLine& check) {
   ++checks_;
   if (!check.pass) ++failed_checks_;
   if (const auto run = latest_.lock()) run->add_check(check);
+}
+
+std::string Session::folder() const {
+  return std::filesystem::path(options_.script).parent_path().string();
 }
 
 const std::string* Session::parameter(const std::string& name, const std::string& meaning) {

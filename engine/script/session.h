@@ -43,6 +43,8 @@ class Session {
   std::shared_ptr<Run> add_run(Scene scene, RunHandlers handlers);
   void release(const std::shared_ptr<Run>& run);  // the script has dropped it: its results are ended
   void add_check(const CheckLine& check);
+  void add_note(const std::string& note) { notes_.push_back(note); }  // of the next run that is made
+  std::string folder() const;  // of the script
   const std::string* parameter(const std::string& name, const std::string& meaning);  // null: not given
   bool plan_only() const { return options_.plan_only; }
   static Session& of(lua_State* L);
@@ -60,6 +62,7 @@ class Session {
   std::weak_ptr<Run> latest_;
   std::vector<std::pair<std::string, std::string>> known_parameters_;  // name, meaning
   std::set<std::string> output_dirs_;
+  std::vector<std::string> notes_;
   std::optional<Restart> restart_;
   int runs_made_ = 0, checks_ = 0, failed_checks_ = 0;
   bool output_failed_ = false;

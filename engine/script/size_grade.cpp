@@ -38,6 +38,7 @@ std::function<double(Vec2)> read_grade(const TableReader& t, const std::vector<H
     e.read("size", source.size);
     e.read("reach", source.reach);
     e.read("points", source.points);
+    e.read("closed", source.closed);
     int hole = -1;
     e.read_index("hole", hole);
     if (hole < 0) return;

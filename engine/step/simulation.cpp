@@ -58,6 +58,7 @@ Simulation::Simulation(Scene scene) {
   const double start = cpu_seconds();
   model = build(std::move(scene));
   plan = make_plan(model);
+  notes = model.notes;
   fingerprint_ = fingerprint(model);
   stepper_ = std::make_unique<Stepper>(model, plan, totals, ledger);
   stepper_->begin_ledger();

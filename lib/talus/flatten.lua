@@ -126,28 +126,22 @@ function flatten.viscous(boundary, links)
   return on_edges(boundary, nil, links)
 end
 
-local function flatten_source(source, far, region, holes)
+-- Adds the source to a list, once for each place: `named` has lists of { hole = index } or { points = … }, as the traces
+-- of a drawing's layer have one name.
+local function flatten_source(source, far, region, named, list)
   local at, size = given(source, "at"), given(source, "size")
-  local flat = { size = size, reach = given(source, "reach") or math.max((far - size)/0.3, size) }
-  local kind = object.kind(at)
-  if kind == "line" then
-    flat.points = { at.from, at.to }
-  elseif kind == "point" then
-    flat.points = { at.at }
-  elseif type(at) == "table" then
-    flat.points = { at }
-  else
-    flat.hole = holes[at]
-    if not flat.hole then
-      places.expected({ place = object.place(source), path = "grade.at" },
-        ("the name of a hole of region %q"):format(region), at)
-    end
+  local reach = given(source, "reach") or math.max((far - size)/0.3, size)
+  if type(at) == "string" and not named[at] then
+    places.expected({ place = object.place(source), path = "grade.at" },
+      ("the name of a hole or trace of region %q"):format(region), at)
   end
-  return flat
+  for _, place in ipairs(type(at) == "string" and named[at] or { at }) do
+    list[#list + 1] = { size = size, reach = reach, points = place.points, closed = place.closed, hole = place.hole }
+  end
 end
 
-local function flatten_mesh(mesh, region, holes)
-  local flat = flatten.fields(mesh, { "kind", "nx", "ny" })
+local function flatten_mesh(mesh, region, named)
+  local flat = flatten.fields(mesh, { "kind", "nx", "ny", "seed" })
   local size = given(mesh, "size")
   if type(size) == "number" then
     flat.size = size
@@ -156,8 +150,8 @@ local function flatten_mesh(mesh, region, holes)
   elseif size then
     local far = given(size, "far")
     flat.grade = { far = far, sources = {} }
-    for i, source in ipairs(given(size, "sources")) do
-      flat.grade.sources[i] = flatten_source(source, far, region, holes)
+    for _, source in ipairs(given(size, "sources")) do
+      flatten_source(source, far, region, named, flat.grade.sources)
     end
   end
   return flat
@@ -184,6 +178,7 @@ local function flatten_cuts(flat, region, joint_index)
     local list, entry
     if object.kind(cut) == "trace" then
       list, entry = flat.traces, flatten.fields(cut, { "points", "bonded" })
+      entry.drawn = given(cut, "drawn")
     else
       list = flat.joint_sets
       entry = flatten_joint_set(cut)
@@ -201,7 +196,8 @@ end
 
 -- `joint_index(joint)` is the index of a property for this region; `default_joint` that of a region without one.
 function flatten.region(region, name, material_index, joint_index, default_joint)
-  local flat = flatten.fields(region, { "held", "velocity", "spin", "spin_centre", "body_force" })
+  local flat = flatten.fields(region, { "held", "velocity", "spin", "spin_centre", "body_force", "slivers",
+    "sliver_part" })
   flat.name, flat.material = name, material_index
   flat.joint = joint_index(given(region, "joint") or default_joint)
   flat.order = get(region, "order") == "rigid" and "rigid" or "first"
@@ -209,13 +205,21 @@ function flatten.region(region, name, material_index, joint_index, default_joint
   for i, outline in ipairs(given(region, "blocks") or { given(region, "outline") }) do
     flat.outlines[i] = given(outline, "points")
   end
-  local holes = {}
+  local named = {}
+  local function add_name(name, place)
+    named[name] = named[name] or {}
+    table.insert(named[name], place)
+  end
+  for _, cut in ipairs(given(region, "cuts") or {}) do
+    local name = object.kind(cut) == "trace" and given(cut, "name")
+    if name then add_name(name, { points = given(cut, "points") }) end
+  end
   for i, outline in ipairs(given(region, "holes") or {}) do
     local hole = given(outline, "name") or ("hole %d"):format(i)
-    holes[hole] = i
+    add_name(hole, { hole = i })
     flat.holes[i] = { place = object.place(outline), name = hole, outline = given(outline, "points") }
   end
-  if given(region, "mesh") then flat.mesh = flatten_mesh(given(region, "mesh"), name, holes) end
+  if given(region, "mesh") then flat.mesh = flatten_mesh(given(region, "mesh"), name, named) end
   flatten_cuts(flat, region, joint_index)
   if given(region, "stress") then flat.stress = flatten_stress(given(region, "stress")) end
   return flat

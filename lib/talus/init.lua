@@ -44,6 +44,7 @@ function talus.region(fields)
 end
 
 for name, shape in pairs(require "talus.shapes") do talus[name] = shape end
+for name, reader in pairs(require "talus.drawings") do talus[name] = reader end
 talus.simulation = require "talus.simulation"
 talus.param = require "talus.param"
 talus.units = closed("talus.units", require("talus.units").units)

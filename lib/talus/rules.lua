@@ -11,17 +11,18 @@ end
 function rules.region(values, bad)
   one_of(values, "outline", "blocks", bad)
   if not values.blocks then return end
-  for _, name in ipairs { "holes", "mesh", "cuts" } do
+  for _, name in ipairs { "holes", "mesh", "cuts", "slivers", "sliver_part" } do
     if values[name] then bad(name, "an outline to go with it", "ready blocks") end
   end
 end
 
 function rules.mesh(values, bad)
-  local is_pattern = values.kind ~= nil and values.kind ~= "triangles"
+  local is_pattern = values.kind ~= nil and values.kind ~= "triangles" and values.kind ~= "voronoi"
+  if values.seed and values.kind ~= "voronoi" then bad("seed", 'kind "voronoi"', values.kind or "triangles") end
   if (values.nx == nil) ~= (values.ny == nil) then
     bad(values.nx and "ny" or "nx", "both nx and ny", "one of them")
   end
-  if values.nx and not is_pattern then bad("nx", 'kind "cross", "diagonal" or "alternating"', "triangles") end
+  if values.nx and not is_pattern then bad("nx", 'kind "cross", "diagonal" or "alternating"', values.kind or "triangles") end
   if values.size == nil and not values.nx then
     bad("size", is_pattern and "a size (m) or nx and ny" or "a size (m)", "nothing")
   end

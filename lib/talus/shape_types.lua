@@ -44,6 +44,23 @@ function types.size.check(value, _, where)
   places.expected(where, types.size.expected(), value)
 end
 
+-- Where a mesh is fine; kept as a name or as { points, closed }.
+types.place = {}
+function types.place.expected()
+  return "the name of a hole or trace, a point, a talus.line, a list of points, a talus.trace or an outline"
+end
+function types.place.check(value, _, where)
+  local kind = object.kind(value)
+  if type(value) == "string" and value ~= "" then return value end
+  if kind == "point" then return { points = { value.at } } end
+  if kind == "outline" then return { points = object.given(value, "points"), closed = true } end
+  if kind == "trace" then return { points = object.given(value, "points") } end
+  if kind == "line" then return { points = { value.from, value.to } } end
+  if type(value) ~= "table" or getmetatable(value) ~= nil then places.expected(where, types.place.expected(), value) end
+  if type(value[1]) == "table" then return { points = check_points(value, types.place, 2, where) } end
+  return { points = { types.check(value, point, where) } }
+end
+
 -- What a fixity or load acts on; kept as a list of lines, points and names of sides.
 types.on = {}
 local sides = { type = "enum", values = { "left", "right", "top", "bottom" } }

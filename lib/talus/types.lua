@@ -118,7 +118,16 @@ types.point = tuple_type("a point {x, y}", 2)
 types.vector = tuple_type("a vector {x, y}", 2)
 types.triple = tuple_type("{sxx, syy, sxy}", 3)
 
--- A list of things of one type: spec.of, at least spec.count of them. One alone stands for a list of one.
+-- A list of things of one type: spec.of, at least spec.count of them. One alone stands for a list of one. Where
+-- spec.nested is set, lists in it count as their elements.
+local function flattened(value)
+  local flat = {}
+  for _, element in ipairs(value) do
+    local is_list = type(element) == "table" and getmetatable(element) == nil and (#element > 0 or not next(element))
+    for _, one in ipairs(is_list and flattened(element) or { element }) do flat[#flat + 1] = one end
+  end
+  return flat
+end
 types.list = {}
 function types.list.expected(spec)
   local count = spec.count and (" of %d or more"):format(spec.count) or ""
@@ -135,7 +144,7 @@ function types.list.check(value, spec, where)
     end
   end
   local kept = {}
-  for i, element in ipairs(value) do
+  for i, element in ipairs(spec.nested and flattened(value) or value) do
     kept[i] = types.check(element, spec.of, inside(where, ("[%d]"):format(i)))
   end
   return kept

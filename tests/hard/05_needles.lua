@@ -19,7 +19,8 @@ local function plate(needles, size)
     local x, y = 0.93, 0.4*(1 + (i - 1) % 4)     -- crosses the joint between two corners
     cuts[#cuts + 1] = talus.trace { points = { {x - 4, y - 4*slope}, {x + 4, y + 4*slope} }, bonded = true, joint = glue }
   end
-  return { name = "plate", outline = talus.rect(0, 0, 2, 2), material = rock, joint = glue, cuts = cuts, mesh = size and { size = size } or nil }
+  return { name = "plate", outline = talus.rect(0, 0, 2, 2), material = rock, joint = glue, cuts = cuts,
+           slivers = "keep", mesh = size and { size = size } or nil }
 end
 local function thinnest(sim)
   local least = math.huge

@@ -21,8 +21,15 @@ return {
       joint_field("`contact` of the simulation", "of its bonds and of contacts between its own blocks"),
       { name = "mesh", type = "object", kinds = { "mesh" }, inline = true, default_doc = "not meshed",
         doc = "how it is divided into bonded blocks" },
-      { name = "cuts", type = "list", of = { type = "object", kinds = { "trace", "joint_set" } },
-        doc = "joints that cut it" },
+      { name = "cuts", type = "list", of = { type = "object", kinds = { "trace", "joint_set" } }, nested = true,
+        doc = "joints that cut it; lists of traces as from a file may stand among them" },
+      { name = "slivers", type = "enum", values = { "merge", "refuse", "keep" }, default = "merge",
+        doc = "blocks that cuts leave thinner than sliver_part: joined to a neighbour, with shorter edges closed;"
+            .. " refused; or kept. A note says how many; triangles of a mesh are not merged" },
+      { name = "sliver_part", type = "number", least = 0, most = 0.2, default = 0.02,
+        doc = "of the mesh size, or of the square root of the mean block area where there is no mesh; a block's"
+            .. " thickness is 2·area/perimeter",
+        source = "stiffness goes with 1/thickness: 50 times that of other blocks" },
       { name = "order", type = "enum", values = { 1, "rigid" }, default = 1,
         doc = "`1`: blocks deform with constant strain (6 unknowns); `\"rigid\"`: they do not (3 unknowns)" },
       { name = "held", type = "boolean", default = false,
@@ -41,12 +48,15 @@ return {
     kind = "mesh", call = "",
     doc = "How a region is divided. A region with `nx`, `ny` must be a rectangle without holes and cuts.",
     fields = {
-      { name = "kind", type = "enum", values = { "triangles", "cross", "diagonal", "alternating" },
+      { name = "kind", type = "enum", values = { "triangles", "voronoi", "cross", "diagonal", "alternating" },
         default = "triangles",
-        doc = "`triangles`: unstructured; `cross`: rectangles cut by both diagonals; `diagonal`, `alternating`:"
+        doc = "`triangles`: unstructured; `voronoi`: convex grains; `cross`: rectangles cut by both diagonals; `diagonal`, `alternating`:"
             .. " by one" },
       { name = "size", type = "size",
-        doc = "wanted length of edges: a number, a `talus.grade` or a function of x and y" },
+        doc = "wanted length of edges, of grains the square root of their mean area: a number, a `talus.grade` or a"
+            .. " function of x and y" },
+      { name = "seed", type = "integer", least = 0, most = 4294967295, default = 1,
+        doc = "`voronoi`: of the places of the grains; the same seed gives the same grains" },
       { name = "nx", type = "integer", least = 1, most = 100000,
         doc = "patterns, instead of size: rectangles along x" },
       { name = "ny", type = "integer", least = 1, most = 100000,
@@ -57,6 +67,7 @@ return {
     kind = "trace", call = "talus.trace", doc = "A joint that cuts its region, straight or bent.",
     fields = {
       { name = "points", type = "polyline", required = true, doc = "two or more points, or a `talus.line`" },
+      { name = "name", type = "string", default_doc = "none", doc = "what `talus.grade` calls it" },
       joint_field("the region's joint", "property of the interface"),
       bonded,
     },

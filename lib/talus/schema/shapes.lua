@@ -73,8 +73,9 @@ return {
   {
     kind = "grade_source", call = "", doc = "One fine place of a `talus.grade`.",
     fields = {
-      { name = "at", type = "any", required = true, doc = "name of a hole, a point or a line", of = {
-          { type = "string" }, points, { type = "object", kinds = { "line", "point" } } } },
+      { name = "at", type = "place", required = true,
+        doc = "where: a point or a line, a bent line as a list of points, a trace or the edge of an outline; or the name"
+            .. " of a hole or a trace of the region" },
       { name = "size", type = "number", above = 0, unit = "m", required = true, doc = "size there" },
       { name = "reach", type = "number", above = 0, unit = "m", default_doc = "(far - size)/0.3",
         doc = "distance over which the size grows to `far`", source = "0.3 m per m keeps neighbours alike" },
