@@ -21,6 +21,14 @@ void each_load(const Model& model, const Poses& poses, double time, const LoadVi
   }
 }
 
+void each_gas_load(const Model& model, const Poses& poses, const LoadVisitor& visit) {
+  for (const GasFace& face : model.gas_faces) {
+    const Pose& pose = poses.blocks[face.block];
+    const Vec2 from = pose.place(face.in_block[0]), to = pose.place(face.in_block[1]);
+    visit(face.block, (from + to) / 2, model.gas_pressure[face.chamber] * perp(to - from));
+  }
+}
+
 void move_held_blocks(Model& model, double dt) {
   for (size_t b = 0; b < model.shapes.size(); ++b) {
     if (model.shapes[b].dofs > 0) continue;
@@ -46,6 +54,9 @@ void place_held_blocks(Model& model) {
 
 void add_loads(const Model& model, const Poses& poses, const Scheme& scheme, System& system) {
   each_load(model, poses, model.time + scheme.load_time, [&](int block, const Vec2& at, const Vec2& force) {
+    system.add_force(model.shapes[block], block, poses.blocks[block].rows(at).transpose() * force);
+  });
+  each_gas_load(model, poses, [&](int block, const Vec2& at, const Vec2& force) {
     system.add_force(model.shapes[block], block, poses.blocks[block].rows(at).transpose() * force);
   });
 }

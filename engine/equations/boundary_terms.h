@@ -17,6 +17,8 @@ void place_held_blocks(Model& model);
 // along the inward normal of the edge as it lies now.
 using LoadVisitor = std::function<void(int block, const Vec2& at, const Vec2& force)>;
 void each_load(const Model& model, const Poses& poses, double time, const LoadVisitor& visit);
+// Explosion gas on the faces it has reached.
+void each_gas_load(const Model& model, const Poses& poses, const LoadVisitor& visit);
 
 void add_loads(const Model& model, const Poses& poses, const Scheme& scheme, System& system);
 

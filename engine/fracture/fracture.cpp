@@ -28,6 +28,11 @@ Fracture::Fracture(Model& model) : model_(model), at_node_(model.nodes.position.
     if (!joint.bonded || !model.scene.properties[joint.property].breaks) continue;
     breakable_.push_back(int(j));
     for (const int node : joint.node) at_node_[node].push_back(int(j));
+    for (const int block : {joint.a, joint.b}) {
+      const Material& rock = model.material(block);
+      const double transit = model.shapes[block].length * std::sqrt(rock.density / elasticity(rock)(0, 0));
+      if (breakable_.size() == 1 || transit < least_transit_) least_transit_ = transit;
+    }
   }
   restored();
 }
@@ -74,6 +79,7 @@ std::vector<int> Fracture::choose(bool motion) const {
 }
 
 void Fracture::fail(const std::vector<int>& joints, double time) {
+  if (joints.empty()) return;
   const std::vector<int> crack_at_node = cracks_at_nodes(model_);
   for (const int j : joints) {
     Joint& joint = model_.joints[j];

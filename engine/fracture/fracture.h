@@ -23,6 +23,9 @@ class Fracture {
   // Remaining strengths of what has failed, by the slips and openings there are.
   void weaken();
 
+  // s, in which a P wave crosses the smallest block that has a bond.
+  double least_transit() const { return least_transit_; }
+
   // Joints that failed since the last clear_events(): in this step.
   const std::vector<int>& events() const { return events_; }
   void clear_events() { events_.clear(); }
@@ -34,6 +37,7 @@ class Fracture {
   Model& model_;
   std::vector<std::vector<int>> at_node_;  // bonds, by Model::nodes
   std::vector<int> breakable_, events_;
+  double least_transit_ = 0;
 };
 
 }  // namespace talus

@@ -162,6 +162,23 @@ struct EdgeForce {
   std::array<Vec2, 2> in_block;
 };
 
+struct BlockEdge {
+  int block = 0, edge = 0;  // ids; edge local
+};
+
+// The wall of a charge's hole: free edges in order, each beginning where the one before ends.
+struct HoleWall {
+  int charge = 0;
+  Vec2 centre = Vec2::Zero();  // of the hole, reference
+  double radius = 0;           // m, of a disc of its area
+  std::vector<BlockEdge> edges;
+};
+
+struct GasFace {  // part of a block's edge under gas, in this step
+  int chamber = 0, block = 0;
+  std::array<Vec2, 2> in_block;  // in the edge's own sense, block on its left
+};
+
 struct ProbePoint {
   int probe = 0, block = 0;
   Vec2 in_block = Vec2::Zero();
@@ -172,6 +189,7 @@ struct Nodes {
   std::vector<Vec2> position;               // reference
   std::vector<int> region;
   std::vector<int> begin, blocks, corners;  // CSR: blocks that meet at a node and their local vertex
+  std::vector<char> free;                   // a boundary edge that is no hole with a charge, and not viscous, ends here
 };
 
 class Model {
@@ -199,6 +217,9 @@ class Model {
   std::vector<ViscousEdge> viscous_edges;
   std::vector<PointForce> point_forces;
   std::vector<EdgeForce> edge_forces;
+  std::vector<HoleWall> hole_walls;
+  std::vector<GasFace> gas_faces;
+  std::vector<double> gas_pressure;  // Pa, mean over the step, per chamber
   std::vector<ProbePoint> probes;
   Nodes nodes;
   std::vector<int> fragment;  // per block: which connected set of intact joints it belongs to; empty where none can break

@@ -37,6 +37,10 @@ std::string header(const Model& model, const Plan& plan) {
   for (const EnergyTerm* term : energy_terms(plan)) line += term->column + " [J/m],";
   line += "closed_contacts,max_residual";
   if (plan.fracture) line += ",failed_bonds,tension_cracks [m],shear_cracks [m],fragments";
+  if (plan.gas)
+    for (const HoleWall& wall : model.hole_walls)
+      for (const char* what : {".volume [m3/m]", ".pressure [Pa]"})
+        line += "," + csv_cell(model.scene.charges[wall.charge].name + what);
   for (const std::string& name : reaction_names(model, plan))
     for (const char* axis : {".reaction_x [N/m]", ".reaction_y [N/m]"}) line += "," + csv_cell(name + axis);
   for (const ProbePoint& probe : model.probes)
@@ -121,6 +125,9 @@ void HistoryTable::add(Simulation& simulation, double residual, const std::vecto
     line += "," + std::to_string(cracks.joints) + "," + shortest(cracks.tension) + "," + shortest(cracks.shear) + "," +
             std::to_string(fragments);
   }
+  if (simulation.plan.gas)
+    for (const Chamber& chamber : simulation.gas()->chambers())
+      line += "," + shortest(chamber.volume) + "," + shortest(chamber.pressure);
   const auto names = reaction_names(model, simulation.plan);
   if (!names.empty()) {
     const std::vector<Vec2> reactions = simulation.stepper().reactions();

@@ -107,6 +107,7 @@ Model build(Scene scene) {
   model.scene = std::move(scene);
   const std::vector<FreeEdge> edges = build_blocks(model);
   attach(model, edges);
+  attach_charges(model, edges);
   number_unknowns(model);
   share_fluxes(model);
   scatter_strengths(model);

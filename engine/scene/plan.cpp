@@ -79,6 +79,8 @@ Plan make_plan(const Model& model) {
   const auto bonds = std::count_if(model.joints.begin(), model.joints.end(), bonded);
   line(plan.bonds, "bonds", std::to_string(exact) + " exact (Nitsche), " + std::to_string(bonds - exact) + " by springs");
   line(plan.fracture, "fracture", count_text(size_t(breakable_count), "bond") + " that can fail");
+  plan.gas = !model.hole_walls.empty() && plan.dynamic;
+  line(plan.gas, "gas", count_text(model.hole_walls.size(), "charge"));
   line(plan.contacts, "contacts", "search, open-close, Coulomb friction");
   line(plan.fixities, "fixities", count_text(model.edge_fixities.size(), "edge") + ", " +
                                       count_text(model.point_fixities.size(), "point"));

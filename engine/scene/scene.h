@@ -167,6 +167,24 @@ struct ViscousBoundary {
   On on;  // line only
 };
 
+// Pressure of explosion gas by its volume over the volume it had at first, v >= 1, and the energy it gives.
+struct GasLaw {
+  std::function<double(double v)> pressure;             // Pa, falling
+  std::function<double(double from, double to)> work;   // J per m3 of the first volume, ∫ P dv; empty: by quadrature
+};
+
+// An explosive in a hole of a region.
+struct Charge {
+  Place place;
+  std::string name;
+  int region = -1, hole = -1;  // index into Region::holes
+  double delay = 0;            // s
+  GasLaw law;
+  std::function<double(double t)> gas_speed;  // m/s into cracks, t seconds after it went off
+  // Part of the pressure left, t seconds after the gas has reached a free surface; empty: none, at once.
+  std::function<double(double t)> venting;
+};
+
 struct Probe {
   Place place;
   std::string name;
@@ -250,6 +268,7 @@ struct Scene {
   std::vector<PointLoad> point_loads;
   std::vector<EdgeLoad> edge_loads;
   std::vector<ViscousBoundary> viscous_boundaries;
+  std::vector<Charge> charges;
   std::vector<Probe> probes;
   TimeControl time;
   Numerics numerics;

@@ -78,6 +78,7 @@ int native_create(lua_State* L) {
   for (const auto& [key, handler] :
        {std::pair{"on_step", &handlers.on_step},
         {"on_fracture", &handlers.on_fracture},
+        {"on_gas", &handlers.on_gas},
         {"on_output", &handlers.on_output},
         {"stop", &handlers.stop}}) {
     if (!table.push(key)) continue;

@@ -4,7 +4,9 @@
 
 #include <iostream>
 
+#include "gas/gas.h"
 #include "script/fracture_view.h"
+#include "script/gas_view.h"
 #include "script/interrupt.h"
 #include "script/lua_error.h"
 #include "script/simulation_view.h"
@@ -89,6 +91,10 @@ void Run::start_output(const RunSettings& settings) {
   after_steps(handlers_.on_fracture, [this](Simulation& s) {
     if (s.fractures().empty()) return;
     call_handler(*handlers_.on_fracture, [&s](lua_State* L) { return push_fractures(L, s); });
+  });
+  after_steps(handlers_.on_gas, [this](Simulation& s) {
+    if (!s.gas() || s.gas()->events().empty()) return;
+    call_handler(*handlers_.on_gas, [&s](lua_State* L) { return push_gas_events(L, s); });
   });
   after_steps(handlers_.on_step, [this](Simulation&) { call_handler(*handlers_.on_step); });
   after_steps(handlers_.stop, [this](Simulation& s) {

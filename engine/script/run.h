@@ -15,7 +15,7 @@
 namespace talus {
 
 struct RunHandlers {
-  std::optional<LuaFunction> on_step, on_fracture, on_output, stop;
+  std::optional<LuaFunction> on_step, on_fracture, on_gas, on_output, stop;
   std::vector<std::pair<std::string, LuaFunction>> fields;  // output.fields
 };
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "script/failure_laws.h"
+#include "script/gas_laws.h"
 #include "script/laws.h"
 #include "script/size_grade.h"
 
@@ -309,6 +310,7 @@ Scene read_scene(const TableReader& t) {
   t.each("point_loads", [&](const TableReader& e) { s.point_loads.push_back(read_point_load(e)); });
   t.each("edge_loads", [&](const TableReader& e) { s.edge_loads.push_back(read_edge_load(e)); });
   t.each("viscous", [&](const TableReader& e) { s.viscous_boundaries.push_back(read_viscous(e)); });
+  t.each("charges", [&](const TableReader& e) { s.charges.push_back(read_charge(e)); });
   t.each("probes", [&](const TableReader& e) {
     Probe& probe = s.probes.emplace_back();
     read_head(e, probe);

@@ -8,6 +8,7 @@
 #include "script/nearest.h"
 #include "script/saved_view.h"
 #include "script/fracture_view.h"
+#include "script/gas_view.h"
 #include "script/session.h"
 #include "script/table_view.h"
 #include "step/energy_terms.h"
@@ -116,6 +117,7 @@ const Property properties[] = {
     {"cracks", [](lua_State* L, const Handle& r) { push_cracks(L, r->simulation.model); }},
     {"fragments", [](lua_State* L, const Handle& r) { push_fragments(L, r->simulation.model); }},
     {"reactions", [](lua_State* L, const Handle& r) { push_reactions(L, r->simulation); }},
+    {"charges", [](lua_State* L, const Handle& r) { push_charges(L, r->simulation); }},
     {"collapsed", [](lua_State* L, const Handle& r) { lua_pushboolean(L, r->simulation.collapsed()); }},
     {"probes", [](lua_State* L, const Handle& r) { push_table_view(L, r, ViewKind::probes); }},
 };

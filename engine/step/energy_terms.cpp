@@ -35,6 +35,8 @@ std::span<const EnergyTerm> energy_terms() {
        "kinetic, strain, contact and gravity together", always},
       {"external", "external_work", "loads", EnergyTerm::put_in, &Energies::external,
        "work of loads and body forces", [](const Plan& plan) { return plan.loads; }},
+      {"gas", "gas_work", "gas", EnergyTerm::put_in, &Energies::gas, "work of explosion gas on the rock",
+       [](const Plan& plan) { return plan.gas; }},
       {"boundary", "boundary_work", "moving supports", EnergyTerm::put_in, &Energies::boundary,
        "work of supports and held regions that move, and of what viscous boundaries carried at the start", [](const Plan& plan) { return plan.moving_supports || with_dashpots(plan); }},
       {"friction", "friction_work", "friction", EnergyTerm::lost, &Energies::friction, "lost to sliding",

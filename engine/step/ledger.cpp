@@ -62,17 +62,18 @@ double squared(double x) {
 
 void keep_largest(Ledger& ledger) {
   ledger.largest_work =
-      std::max(ledger.largest_work, std::abs(ledger.gravity_work + ledger.external_work + ledger.boundary_work));
+      std::max(ledger.largest_work, std::abs(ledger.gravity_work + ledger.external_work + ledger.gas_work + ledger.boundary_work));
 }
 
 }  // namespace
 
 void visit_state(Ledger& ledger, StateVisitor& v) {
-  auto& [ahead, gravity_work, external_work, boundary_work, friction_work, damping_work, viscous_work, fracture_work,
+  auto& [ahead, gravity_work, external_work, gas_work, boundary_work, friction_work, damping_work, viscous_work, fracture_work,
          numerical_flow, start_energy, start_shift, largest_work] = ledger;
   v("ahead", ahead);
   v("gravity_work", gravity_work);
   v("external_work", external_work);
+  v("gas_work", gas_work);
   v("boundary_work", boundary_work);
   v("friction_work", friction_work);
   v("damping_work", damping_work);
@@ -85,9 +86,9 @@ void visit_state(Ledger& ledger, StateVisitor& v) {
 }
 
 void visit_state(Energies& energies, StateVisitor& v) {
-  auto& [kinetic, strain, contact, gravity, total, external, boundary, friction, damping, viscous, fracture,
+  auto& [kinetic, strain, contact, gravity, total, external, gas, boundary, friction, damping, viscous, fracture,
          numerical, unexplained, scale] = energies;
-  for (double* energy : {&kinetic, &strain, &contact, &gravity, &total, &external, &boundary, &friction, &damping,
+  for (double* energy : {&kinetic, &strain, &contact, &gravity, &total, &external, &gas, &boundary, &friction, &damping,
                          &viscous, &fracture, &numerical, &unexplained, &scale})
     v("energy", *energy);
 }
@@ -108,6 +109,11 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   });
   each_viscous_traction(model, s.poses, [&](int block, const Vec2& at, const Vec2& force) {
     load(block, s.poses.blocks[block].rows(at).transpose() * force, ledger.boundary_work);
+  });
+  each_gas_load(model, s.poses, [&](int block, const Vec2& at, const Vec2& force) {  // along X, as the law's work is
+    if (model.shapes[block].dofs == 0) return;
+    const DofColumn step = s.scheme.step_v * velocity_of(model, block) + s.scheme.move_d * solution_of(model, block, s.d);
+    ledger.gas_work += (s.poses.blocks[block].rows(at).transpose() * force).dot(step);
   });
   for (int b = 0; b < int(model.blocks.size()); ++b) {
     const BlockShape& shape = model.shapes[b];

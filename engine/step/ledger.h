@@ -20,6 +20,7 @@ struct Ledger {
   double ahead = 0;           // s, of the last accepted step
   double gravity_work = 0;    // along X
   double external_work = 0;   // loads and body forces, along y
+  double gas_work = 0;        // explosion gas, along X
   double boundary_work = 0;   // moving supports and held blocks; what viscous boundaries carried at the start
   double friction_work = 0;   // dissipated
   double damping_work = 0;    // taken by the dynamic parameter or a damping law
@@ -36,7 +37,7 @@ void visit_state(Ledger& ledger, StateVisitor& visitor);  // the registry, model
 struct Energies {
   double kinetic = 0, strain = 0, contact = 0, gravity = 0;  // stored; gravity: since the start
   double total = 0;                                          // their sum
-  double external = 0, boundary = 0;                         // put in since the start
+  double external = 0, gas = 0, boundary = 0;                // put in since the start
   double friction = 0, damping = 0, viscous = 0, fracture = 0, numerical = 0;  // lost since the start
   double unexplained = 0;                                    // total - start - put in + lost
   double scale = 0;  // the larger of kinetic and stored energy at the start and the largest work put in

@@ -158,6 +158,8 @@ void Simulation::restore(const std::string& state) {
   stopped_ = false;
 }
 
+const Gas* Simulation::gas() const { return stepper_->gas(); }
+
 std::uint64_t Simulation::hash() const {
   return visited<StateHasher>().value();
 }

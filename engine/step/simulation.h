@@ -14,6 +14,7 @@ namespace talus {
 
 class Stepper;
 class Recovery;
+class Gas;
 
 struct StepReport {
   long step = 0;         // accepted steps so far
@@ -74,6 +75,7 @@ class Simulation {
 
   // Joints that failed in the last step.
   const std::vector<int>& fractures() const;
+  const Gas* gas() const;  // null where there are no charges
 
   // The state between two steps. restore() continues from it bit by bit; it throws StateError and leaves
   // everything as it was when `state` is not of this scene.

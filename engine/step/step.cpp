@@ -96,8 +96,9 @@ struct Softening {
 }  // namespace
 
 Stepper::Stepper(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledger)
-    : model_(model), plan_(plan), totals_(totals), ledger_(ledger), step_size_(model, plan.contacts) {
+    : model_(model), plan_(plan), totals_(totals), ledger_(ledger), step_size_(model, plan.contacts, plan.fracture) {
   if (plan.fracture) fracture_ = std::make_unique<Fracture>(model);
+  if (plan.gas) gas_ = std::make_unique<Gas>(model);
 }
 
 Scheme Stepper::scheme(double dt) const {
@@ -105,16 +106,26 @@ Scheme Stepper::scheme(double dt) const {
   return numerics.integrator == Integrator::theta ? Scheme::theta(dt, numerics.theta) : Scheme::newmark(dt);
 }
 
+double Stepper::next_dt() const {
+  const double dt = step_size_.next(model_.time);
+  if (!gas_) return dt;
+  const double until = gas_->next_detonation() - model_.time;
+  return until > step_size_.least() ? std::min(dt, until) : dt;
+}
+
 StepReport Stepper::dynamic_step() {
   const Numerics& numerics = model_.scene.numerics;
   StepReport report;
   if (fracture_) fracture_->clear_events();
-  for (double dt = step_size_.next(model_.time);; dt = step_size_.next(model_.time), ++report.cuts) {
+  if (gas_) gas_->detonate();
+  for (double dt = next_dt();; dt = next_dt(), ++report.cuts) {
     const Scheme scheme = this->scheme(dt);
     if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
     // 1. Loads, fixities and prescribed motions belong to this step's times; see Scheme.
     if (plan_.held_blocks) move_held_blocks(model_, dt);
+    if (gas_) gas_->begin_step(dt);
+    if (fracture_ && dt < fracture_->least_transit()) fracture_->fail(fracture_->choose(true), model_.time);
 
     Vector d;
     IslandResult result;
@@ -140,7 +151,8 @@ StepReport Stepper::dynamic_step() {
         assemble(scheme, false);
         if (on_assembled) on_assembled(scheme, system_, contacts_);
         result = solve(dt, d);
-      } while (result.missed);
+        // The gas gives way as the rock does: the same again with the pressure of the volume it leads to.
+      } while (result.missed || (gas_ && result.converged && !gas_->agrees(moved_blocks(model_, scheme, d))));
       report.iterations = result.iterations;
       report.residual = result.residual;
       if (!result.converged) break;
@@ -149,7 +161,7 @@ StepReport Stepper::dynamic_step() {
       report.displacement = largest_displacement(model_, moved);
 
       // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
-      if (!fracture_ || step_size_.too_far(report.displacement) || !breaks(moved, model_.time + dt, report)) break;
+      if (!fracture_ || step_size_.too_far(report.displacement) || !breaks(moved, dt, report)) break;
     }
 
     // 5. Not settled, or moved too far: everything as it was; again with a smaller step.
@@ -175,6 +187,7 @@ StepReport Stepper::dynamic_step() {
     ledger_.damping_work += damp(model_, kept);
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
+    if (gas_) gas_->end_step(dt);
     step_size_.accepted(dt, report.displacement, result.iterations);
     report.dt = dt;
     return report;
@@ -210,6 +223,7 @@ void Stepper::visit_state(StateVisitor& visitor) {
   visitor("contact_search", search_);
   visitor("sleep", sleep_);
   visitor("load_increment", load_increment_);
+  if (gas_) visitor("gas", *gas_);
 }
 
 void Stepper::restored() {
@@ -218,6 +232,7 @@ void Stepper::restored() {
   sleep_.restored();
   if (!model_.scene.numerics.sleeping) model_.changed();  // the state may be of a run that let things sleep
   if (fracture_) fracture_->restored();
+  if (gas_) gas_->restored();
 }
 
 const std::vector<int>& Stepper::fractures() const {
@@ -239,17 +254,19 @@ void Stepper::store_tractions() {
   if (fracture_) bridges_.store_tractions(model_);
 }
 
-// Whether bonds fail where the step leads; it is then to be taken again. `moved` is only lent to the model.
-bool Stepper::breaks(std::vector<BlockState>& moved, double time, StepReport& report) {
+// Whether bonds fail where the step leads and it is to be taken again: unless a wave crosses no block in it, when a bond
+// cannot feel yet that another has failed and those that are due fail with the next step. `moved` is only lent to the model.
+bool Stepper::breaks(std::vector<BlockState>& moved, double dt, StepReport& report) {
   PartTimer timer(totals_, "fracture");
   model_.blocks.swap(moved);
   store_tractions();
   report.utilisation = std::max(report.utilisation, fracture_->judge());
   model_.blocks.swap(moved);
+  if (dt < fracture_->least_transit()) return false;
   const std::vector<int> due = fracture_->choose(true);
   if (due.empty()) return false;
   store_tractions();
-  fracture_->fail(due, time);
+  fracture_->fail(due, model_.time + dt);
   return true;
 }
 
@@ -457,6 +474,7 @@ Energies Stepper::energies() {
   e.gravity = gravity_ahead - ledger_.gravity_work;
   e.total = e.kinetic + e.strain + e.contact + e.gravity;
   e.external = ledger_.external_work;
+  e.gas = ledger_.gas_work;
   e.boundary = ledger_.boundary_work;
   e.friction = ledger_.friction_work;
   e.damping = ledger_.damping_work;
@@ -466,7 +484,7 @@ Energies Stepper::energies() {
   if (ahead != 0)
     shift += e.strain - strain_energy(model_, joints_, supports_, 0) + e.kinetic - kinetic_energy(model_, 0);
   e.numerical = ledger_.numerical_flow - (shift - ledger_.start_shift);
-  e.unexplained = e.total - ledger_.start_energy - e.external - e.boundary + e.friction + e.damping + e.viscous +
+  e.unexplained = e.total - ledger_.start_energy - e.external - e.gas - e.boundary + e.friction + e.damping + e.viscous +
                   e.fracture + e.numerical;
   e.scale = std::max(ledger_.start_energy, ledger_.largest_work);
   return e;

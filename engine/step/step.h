@@ -10,6 +10,7 @@
 #include "equations/contact_terms.h"
 #include "equations/joint_terms.h"
 #include "fracture/fracture.h"
+#include "gas/gas.h"
 #include "model/state_visitor.h"
 #include "scene/plan.h"
 #include "step/energies.h"
@@ -36,6 +37,7 @@ class Stepper {
   int initial_cracks();
   bool bonds_due() const { return fracture_ && !fracture_->choose(false).empty(); }
   const std::vector<int>& fractures() const;  // joints that failed in the last step
+  const Gas* gas() const { return gas_.get(); }
   // The start of a settled run: equilibrium with friction where there is one, else that in which nothing slides.
   // What is to be said to the user where there is neither, and nothing has moved.
   std::string settle();
@@ -53,6 +55,7 @@ class Stepper {
 
  private:
   Scheme scheme(double dt) const;
+  double next_dt() const;
   void prepare_bonds();
   struct Equilibrium {
     StepReport report;
@@ -64,7 +67,7 @@ class Stepper {
   StepReport raise_load(double to, bool first);
   StepReport break_bonds(const std::vector<int>& due);
   [[noreturn]] void give_up(const Equilibrium& search) const;
-  bool breaks(std::vector<BlockState>& moved, double time, StepReport& report);
+  bool breaks(std::vector<BlockState>& moved, double dt, StepReport& report);
   double released_energy() const;
   void store_tractions();
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, const std::function<double(double)>& relaxed);
@@ -94,6 +97,7 @@ class Stepper {
   Sleep sleep_;
   std::vector<double> hold_;      // of equilibrium, per block; empty: none
   std::vector<double> nearness_;  // of contacts, per block; empty: 1 (ContactTerms::linearise)
+  std::unique_ptr<Gas> gas_;            // where there are charges
   std::unique_ptr<Fracture> fracture_;  // where bonds can fail
   double load_increment_ = 0;           // s, of the next load step; 0: all of it
   std::string collapse_;

@@ -10,6 +10,7 @@ namespace {
 
 // Where contacts did not converge they will not at the same step a little later: for so many steps it grows slowly.
 constexpr int caution = 40;
+constexpr int caution_among_cracks = 5;  // where contacts come and go with every step
 constexpr double careful_growth = 1.05;
 
 // First step: what gravity and the initial velocities move by the limit.
@@ -40,7 +41,8 @@ double thinnest_block(const Model& model) {
 
 }  // namespace
 
-StepSize::StepSize(const Model& model, bool contacts) {
+StepSize::StepSize(const Model& model, bool contacts, bool fracture)
+    : caution_(fracture ? caution_among_cracks : caution) {
   const TimeControl& time = model.scene.time;
   limit_ = time.displacement_ratio * model.extent;
   thinnest_ = contacts ? thinnest_block(model) : std::numeric_limits<double>::infinity();
@@ -65,7 +67,7 @@ void StepSize::cut(double dt, double displacement) {
   const double bound = automatic_ ? limit_ : thinnest_;
   const double part = displacement > bound ? 0.9 * bound / displacement : 0.3;
   dt_ = dt * std::clamp(part, 0.1, 0.5);
-  if (displacement <= bound) cautious_ = caution;
+  if (displacement <= bound) cautious_ = caution_;
 }
 
 void StepSize::accepted(double dt, double displacement, int iterations) {

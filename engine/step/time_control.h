@@ -8,7 +8,7 @@ namespace talus {
 
 class StepSize {
  public:
-  StepSize(const Model& model, bool contacts);
+  StepSize(const Model& model, bool contacts, bool fracture);
 
   double next(double time) const;  // s, never past t_end
   bool too_far(double displacement) const { return displacement > (automatic_ ? 2 * limit_ : thinnest_); }
@@ -28,6 +28,7 @@ class StepSize {
   double thinnest_;  // m, what a step given by the user may not pass either, where blocks can meet
   bool automatic_;
   double dt_, least_, most_, end_;
+  int caution_;       // steps, after one that did not converge
   int cautious_ = 0;  // steps still to be grown slowly
   double every_;  // s, between outputs, which an automatic step does not pass; 0: none
 };

@@ -5,6 +5,7 @@ local native = require "talus.native"
 local object = require "talus.object"
 local places = require "talus.places"
 local flatten = require "talus.flatten"
+local gas = require "talus.gas"
 local profile = require "talus.profile"
 local get, given = object.get, object.given
 
@@ -239,6 +240,7 @@ local function assemble(simulation)
   add_contacts(assembly, given(simulation, "contacts") or {})
   add_boundaries(assembly, links)
   add_viscous(assembly, links)
+  if given(simulation, "charges") then scene.charges = gas.flatten(given(simulation, "charges"), regions, links) end
   add_probes(assembly, links)
   scene.time = time_of(given(simulation, "time"))
   scene.numerics = numerics_of(given(simulation, "numerics") or profile.presets.default)
@@ -247,7 +249,7 @@ local function assemble(simulation)
   if given(simulation, "fracture") then
     scene.fracture = flatten.fields(given(simulation, "fracture"), { "order", "band", "overshoot" })
   end
-  for _, name in ipairs { "on_step", "on_fracture", "on_output", "stop" } do scene[name] = given(simulation, name) end
+  for _, name in ipairs { "on_step", "on_fracture", "on_gas", "on_output", "stop" } do scene[name] = given(simulation, name) end
   return assembly
 end
 

@@ -26,7 +26,7 @@ local function closed(name, contents)
 end
 
 for _, kind in ipairs { "material", "joint", "trace", "joint_set", "fix", "point_load", "edge_load", "pressure",
-    "viscous", "contact", "probe", "grade" } do
+    "viscous", "contact", "probe", "grade", "charge" } do
   talus[kind] = function(fields) return object.new(kind, fields) end
 end
 
@@ -36,6 +36,10 @@ for _, kind in ipairs { "softening", "slip_weakening", "barton_bandis", "weibull
 end
 
 local damping = { velocity = function(fields) return object.new("velocity_damping", fields) end }
+local eos = {}
+for _, kind in ipairs { "polytropic", "jwl" } do
+  eos[kind] = function(fields) return object.new(kind, fields) end
+end
 
 function talus.region(fields)
   local region = object.new("region", fields)
@@ -50,6 +54,8 @@ talus.param = require "talus.param"
 talus.units = closed("talus.units", require("talus.units").units)
 talus.laws = closed("talus.laws", laws)
 talus.damping = closed("talus.damping", damping)
+talus.eos = closed("talus.eos", eos)
+talus.explosives = closed("talus.explosives", require("talus.gas").explosives)
 talus.check = closed("talus.check", require "talus.check")
 talus.profile = closed("talus.profile", require("talus.profile").presets)
 

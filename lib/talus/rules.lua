@@ -71,6 +71,9 @@ local function check_gap(values, bad)
       ("%g"):format(persistence))
   end
 end
+function rules.charge(values, bad) require("talus.gas").check(values, bad) end
+
+function rules.jwl(values, bad) require("talus.gas").check_jwl(values, bad) end
 
 function rules.joint_set(values, bad)
   local broken = values.gap or values.persistence and values.persistence < 1

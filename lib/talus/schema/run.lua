@@ -23,6 +23,8 @@ return {
         doc = "loads" },
       { name = "boundaries", type = "list", of = { type = "object", kinds = { "viscous" } },
         doc = "edges that let waves out" },
+      { name = "charges", type = "list", of = { type = "object", kinds = { "charge" } },
+        doc = "explosives in holes; dynamic mode" },
       { name = "probes", type = "map",
         of = { type = "any", of = { probe, { type = "point", unit = "m" } } },
         doc = "`{ tip = {7.9, 0.5} }`" },
@@ -39,6 +41,9 @@ return {
         doc = "`function(sim, cracks)`, called after a step in which bonds failed, before on_step: a list of `{ joint, mode ="
           .. " \"tension\" or \"shear\", kind = \"initiated\", \"propagated\" or \"coalesced\", x, y, length, time, normal, shear,"
           .. " utilisation }`, tractions in Pa" },
+      { name = "on_gas", type = "function",
+        doc = "`function(sim, events)`, called after a step in which a charge went off, a chamber vented or two met: a list of"
+          .. " `{ kind = \"detonation\", \"venting\" or \"merging\", charge, other, time, volume, pressure }`" },
       { name = "stop", type = "function",
         doc = "`function(sim)`, called after each accepted step, after on_step: the run ends where it returns true" },
       { name = "on_output", type = "function",

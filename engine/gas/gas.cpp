@@ -1,0 +1,267 @@
+#include "gas/gas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gas/eos.h"
+
+namespace talus {
+
+namespace {
+
+// Part of the pressure by which that of a solve may differ from the law over the volume it leads to. The work of a step is
+// off by no more; the volume, from which the next step goes on, is exact.
+constexpr double close_enough = 1e-4;
+constexpr int most_solves = 20;
+constexpr double little = 1e-9;  // part of the volume: less is swept at the present pressure
+
+}  // namespace
+
+void visit_state(Chamber& chamber, StateVisitor& v) {
+  auto& [walls, charges, state, volume, pressure, began, vented_at, front, gain, yield, joined, work] = chamber;
+  v.growing("walls", walls);
+  v.growing("charges", charges);
+  v("state", state);
+  for (double* number : {&volume, &pressure, &began, &vented_at, &front, &gain, &yield, &joined, &work})
+    v("chamber", *number);
+}
+
+Gas::Gas(Model& model) : model_(model), paths_(model), first_volume_(model.scene.charges.size(), 0.0) {
+  for (size_t w = 0; w < model.hole_walls.size(); ++w) {
+    Chamber chamber;
+    chamber.walls = {int(w)};
+    chambers_.push_back(chamber);
+  }
+  reach_.resize(chambers_.size());
+  guess_.resize(chambers_.size());
+  model.gas_pressure.assign(chambers_.size(), 0.0);
+}
+
+double Gas::next_detonation() const {
+  double next = std::numeric_limits<double>::infinity();
+  for (size_t charge = 0; charge < first_volume_.size(); ++charge)
+    if (first_volume_[charge] == 0) next = std::min(next, model_.scene.charges[charge].delay);
+  return next;
+}
+
+int Gas::chamber_of(int wall) const {
+  for (size_t c = 0; c < chambers_.size(); ++c) {
+    const auto& walls = chambers_[c].walls;
+    if (chambers_[c].state != Chamber::State::merged && std::find(walls.begin(), walls.end(), wall) != walls.end())
+      return int(c);
+  }
+  return wall;
+}
+
+void Gas::detonate() {
+  events_.clear();
+  for (size_t wall = 0; wall < model_.hole_walls.size(); ++wall) {
+    const int charge = model_.hole_walls[wall].charge;
+    if (first_volume_[charge] > 0 || model_.scene.charges[charge].delay > model_.time) continue;
+    const int c = chamber_of(int(wall));
+    Chamber& chamber = chambers_[c];
+    Reach hole;
+    hole.nodes = paths_.wall_nodes(int(wall));
+    first_volume_[charge] = gas_volume(model_, model_.blocks, paths_, {int(wall)}, hole);
+    if (chamber.state == Chamber::State::vented) continue;  // blown out already
+    chamber.charges.push_back(charge);
+    if (chamber.state == Chamber::State::waiting) {
+      chamber.state = Chamber::State::pressing;
+      chamber.began = model_.time;
+      chamber.volume = first_volume_[charge];
+      reach_[c] = hole;
+    }
+    chamber.pressure = law_pressure(chamber, chamber.volume);
+    events_.push_back({GasEventKind::detonation, c, -1, model_.time, chamber.volume, chamber.pressure});
+  }
+}
+
+// Gas of several charges has one pressure, at which their own volumes fill the chamber: found by halving its logarithm.
+double Gas::law_pressure(const Chamber& chamber, double volume) const {
+  const auto& charges = model_.scene.charges;
+  const auto own = [&](int charge, double v) { return charges[charge].law.pressure(v); };
+  if (chamber.charges.size() == 1)
+    return own(chamber.charges[0], volume / first_volume_[chamber.charges[0]]);
+  const auto filled = [&](double pressure) {
+    double sum = 0;
+    for (const int charge : chamber.charges) {
+      double low = -7, high = 60;  // log2 of v
+      for (int k = 0; k < 60; ++k) {
+        const double middle = (low + high) / 2;
+        (own(charge, std::exp2(middle)) > pressure ? low : high) = middle;
+      }
+      sum += first_volume_[charge] * std::exp2(low);
+    }
+    return sum;
+  };
+  double low = 0, high = 40;  // log2 of Pa
+  for (int k = 0; k < 60; ++k) {
+    const double middle = (low + high) / 2;
+    (filled(std::exp2(middle)) > volume ? low : high) = middle;
+  }
+  return std::exp2(low);
+}
+
+double Gas::law_work(const Chamber& chamber, double from, double to) const {
+  const int charge = chamber.charges[0];
+  const double first = first_volume_[charge];
+  if (chamber.charges.size() == 1) return first * talus::work(model_.scene.charges[charge].law, from / first, to / first);
+  return talus::work({[&](double volume) { return law_pressure(chamber, volume); }, {}}, from, to);
+}
+
+double Gas::vent_part(const Chamber& chamber, double time) const {
+  if (chamber.state != Chamber::State::vented) return 1;
+  const auto& venting = model_.scene.charges[chamber.charges[0]].venting;
+  return venting ? venting(time - chamber.vented_at) : 0;
+}
+
+double Gas::mean_pressure(const Chamber& chamber, double volume) const {
+  const double swept = volume - chamber.volume, part = vent_part(chamber, model_.time + dt_ / 2);
+  if (part == 0) return 0;
+  if (std::abs(swept) < little * chamber.volume) return part * law_pressure(chamber, (volume + chamber.volume) / 2);
+  return part * law_work(chamber, chamber.volume, volume) / swept;
+}
+
+void Gas::begin_step(double dt) {
+  dt_ = dt;
+  model_.gas_faces.clear();
+  for (size_t c = 0; c < chambers_.size(); ++c) {
+    const Chamber& chamber = chambers_[c];
+    Guess& guess = guess_[c];
+    guess = {};
+    model_.gas_pressure[c] = 0;
+    if (chamber.charges.empty() || chamber.state == Chamber::State::merged || vent_part(chamber, model_.time) == 0) continue;
+    add_gas_faces(model_, int(c), chamber.walls, reach_[c], model_.gas_faces);
+    std::vector<BlockState> free = model_.blocks;
+    for (size_t b = 0; b < free.size(); ++b) {
+      const auto& v = free[b].velocity;
+      const double length = model_.shapes[b].length;
+      free[b].centroid += dt * Vec2(v[0], v[1]);
+      free[b].angle += dt * v[2] / length;
+      free[b].strain += dt / length * Vec3(v[3], v[4], v[5]);
+    }
+    guess.free = gas_volume(model_, free, paths_, chamber.walls, reach_[c]);
+    guess.slope = chamber.gain * dt * dt;
+    guess.offset = guess.free + chamber.yield * dt * dt;
+    guess.pressure = chamber.pressure;
+    for (int k = 0; k < most_solves; ++k)
+      guess.pressure = mean_pressure(chamber, std::max(guess.offset + guess.slope * guess.pressure, 0.5 * chamber.volume));
+    model_.gas_pressure[c] = guess.pressure;
+  }
+}
+
+bool Gas::agrees(const std::vector<BlockState>& moved) {
+  bool all = true;
+  for (size_t c = 0; c < chambers_.size(); ++c) {
+    const Chamber& chamber = chambers_[c];
+    Guess& guess = guess_[c];
+    if (guess.pressure == 0 || chamber.state == Chamber::State::merged) continue;
+    const double volume = gas_volume(model_, moved, paths_, chamber.walls, reach_[c]);
+    if (guess.solves > 0 && guess.pressure != model_.gas_pressure[c]) {
+      // Two solves give the slope.
+      const double slope = (volume - guess.volume) / (model_.gas_pressure[c] - guess.pressure);
+      if (slope > 0) guess.slope = slope;
+    }
+    guess.pressure = model_.gas_pressure[c];
+    guess.volume = volume;
+    guess.offset = volume - guess.slope * guess.pressure;
+    ++guess.solves;
+    const double wanted = mean_pressure(chamber, volume);
+    if (std::abs(wanted - guess.pressure) <= close_enough * std::abs(wanted) || guess.solves >= most_solves) continue;
+    all = false;
+    double better = wanted;
+    for (int k = 0; k < most_solves; ++k)
+      better = mean_pressure(chamber, std::max(guess.offset + guess.slope * better, 0.5 * chamber.volume));
+    model_.gas_pressure[c] = better;
+  }
+  return all;
+}
+
+void Gas::end_step(double dt) {
+  for (size_t c = 0; c < chambers_.size(); ++c) {
+    Chamber& chamber = chambers_[c];
+    const Guess& guess = guess_[c];
+    if (guess.pressure == 0 || chamber.state == Chamber::State::merged) continue;
+    chamber.work += guess.pressure * (guess.volume - chamber.volume);
+    chamber.volume = guess.volume;
+    chamber.gain = guess.slope / (dt * dt);
+    chamber.yield = (guess.offset - guess.free) / (dt * dt);
+    const double since = model_.time - chamber.began;
+    const auto& speed = model_.scene.charges[chamber.charges[0]].gas_speed;
+    chamber.front += dt * speed(since);
+    spread(int(c));
+  }
+  merge();
+  vent();
+}
+
+// R = max(R0, ∫ VP dt), R0 the hole's radius (Ning et al. 2011, equation 3: the gas is at the wall from the start).
+void Gas::find_reach(int c) {
+  const Chamber& chamber = chambers_[c];
+  reach_[c] = paths_.find(model_, chamber.walls, [&](const Vec2& p) {
+    return std::any_of(chamber.walls.begin(), chamber.walls.end(), [&](int wall) {
+      const double radius = std::max(model_.hole_walls[wall].radius, chamber.front);
+      return (p - model_.hole_walls[wall].centre).squaredNorm() <= radius * radius;
+    });
+  });
+}
+
+void Gas::spread(int c) {
+  Chamber& chamber = chambers_[c];
+  if (chamber.state != Chamber::State::pressing) return;
+  find_reach(c);
+  const double volume = gas_volume(model_, model_.blocks, paths_, chamber.walls, reach_[c]);
+  chamber.joined += volume - chamber.volume;
+  chamber.volume = volume;
+  chamber.pressure = law_pressure(chamber, volume);
+}
+
+void Gas::merge() {
+  for (size_t c = 0; c < chambers_.size(); ++c) {
+    if (chambers_[c].state != Chamber::State::pressing) continue;
+    for (const int wall : std::vector<int>(reach_[c].walls)) {
+      const int other = chamber_of(wall);
+      Chamber &own = chambers_[c], &met = chambers_[other];
+      if (other == int(c)) continue;
+      if (met.state == Chamber::State::vented) {
+        reach_[c].surface = true;
+        continue;
+      }
+      own.walls.insert(own.walls.end(), met.walls.begin(), met.walls.end());
+      own.charges.insert(own.charges.end(), met.charges.begin(), met.charges.end());
+      own.joined += met.joined;
+      own.work += met.work;
+      own.front = std::max(own.front, met.front);
+      events_.push_back({GasEventKind::merging, int(c), int(other), model_.time, met.volume, met.pressure});
+      if (met.state == Chamber::State::pressing) own.volume += met.volume;
+      met.state = Chamber::State::merged;
+      met.pressure = 0;
+      spread(int(c));
+    }
+  }
+}
+
+void Gas::vent() {
+  for (size_t c = 0; c < chambers_.size(); ++c) {
+    Chamber& chamber = chambers_[c];
+    if (chamber.state != Chamber::State::pressing || !reach_[c].surface) continue;
+    chamber.state = Chamber::State::vented;
+    chamber.vented_at = model_.time;
+    events_.push_back({GasEventKind::venting, int(c), -1, model_.time, chamber.volume, chamber.pressure});
+    chamber.pressure *= vent_part(chamber, model_.time);
+  }
+}
+
+void Gas::visit_state(StateVisitor& visitor) {
+  visitor("chambers", chambers_);
+  visitor("first_volume", first_volume_);
+}
+
+// What the gas has reached follows from the cracks, but for those it came through and that have closed behind it.
+void Gas::restored() {
+  for (size_t c = 0; c < chambers_.size(); ++c)
+    if (!chambers_[c].charges.empty() && chambers_[c].state != Chamber::State::merged) find_reach(int(c));
+}
+
+}  // namespace talus

@@ -1,0 +1,90 @@
+#pragma once
+// Explosion gas: chambers that grow from their holes into the cracks, press on what they have reached, and go off, merge and
+// vent.
+//
+// A chamber holds the gas of one charge, or of several whose chambers have met. It enters a step as the potential -∫P dV: the
+// pressure of the step is the work of the law over the volume swept, divided by that volume, and volume and pressure are
+// found together (a fixed point in one number a chamber, whose slope is kept from step to step), so that the rock gets what
+// the law gives. Volume that joins when the gas enters further cracks is filled without work.
+#include <cstdint>
+#include <string>
+
+#include "gas/reach.h"
+#include "model/state_visitor.h"
+
+namespace talus {
+
+struct Chamber {
+  std::vector<int> walls;    // hole walls of the model
+  std::vector<int> charges;  // whose gas it holds
+  enum class State : std::uint8_t { waiting, pressing, vented, merged } state = State::waiting;
+  double volume = 0;     // m3 per metre, of what it has reached
+  double pressure = 0;   // Pa, by the law, now
+  double began = 0;      // s
+  double vented_at = 0;  // s
+  double front = 0;      // m, way of the gas from the centres of its holes; it is at the wall until that is more
+  double gain = 0;       // m3/(Pa s2), how much more volume a step gives for a higher pressure, over its length squared
+  double yield = 0;      // m3/s2, how much less it gave than the blocks' free flight at no pressure
+  double joined = 0;     // m3, filled without work so far
+  double work = 0;       // J/m, of the law along the volume swept
+};
+void visit_state(Chamber& chamber, StateVisitor& visitor);
+
+enum class GasEventKind { detonation, venting, merging };
+struct GasEvent {
+  GasEventKind kind;
+  int chamber = 0, other = -1;
+  double time = 0, volume = 0, pressure = 0;  // s, m3, Pa just before
+};
+
+class Gas {
+ public:
+  explicit Gas(Model& model);
+
+  // s, of the next charge to go off, infinite where there is none: no step may pass it.
+  double next_detonation() const;
+  // Charges that are due go off. Once before the attempts at a step.
+  void detonate();
+  // Faces and first guesses of the pressures for an attempt at a step of `dt`.
+  void begin_step(double dt);
+  // After a solve that leads to `moved`: whether the pressures it was made with are those of the volumes it leads to. If not,
+  // they are better now.
+  bool agrees(const std::vector<BlockState>& moved);
+  // The step is accepted: volumes and pressures, then the front goes on, chambers meet and vent.
+  void end_step(double dt);
+
+  const std::vector<Chamber>& chambers() const { return chambers_; }
+  const Reach& reach(int chamber) const { return reach_[chamber]; }
+  const std::vector<GasEvent>& events() const { return events_; }  // of the last step
+  double first_volume(int charge) const { return first_volume_[charge]; }
+  void visit_state(StateVisitor& visitor);
+  void restored();
+
+ private:
+  double law_pressure(const Chamber& chamber, double volume) const;
+  double mean_pressure(const Chamber& chamber, double volume) const;  // over the way from the present volume
+  double law_work(const Chamber& chamber, double from, double to) const;
+  int chamber_of(int wall) const;
+  void find_reach(int chamber);
+  void spread(int chamber);
+  void merge();
+  void vent();
+  double vent_part(const Chamber& chamber, double time) const;
+
+  Model& model_;
+  GasPaths paths_;
+  std::vector<Chamber> chambers_;
+  std::vector<double> first_volume_;  // m3, of each charge's hole when it went off
+  std::vector<Reach> reach_;
+  struct Guess {
+    double free = 0;            // m3, where the blocks fly by themselves
+    double pressure = 0, volume = 0;  // the last solve
+    int solves = 0;
+    double slope = 0, offset = 0;     // volume = offset + slope · pressure
+  };
+  std::vector<Guess> guess_;
+  double dt_ = 0;
+  std::vector<GasEvent> events_;
+};
+
+}  // namespace talus

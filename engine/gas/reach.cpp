@@ -1,0 +1,184 @@
+#include "gas/reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+
+namespace talus {
+
+namespace {
+
+Vec2 place_of(const std::vector<BlockState>& blocks, int block, const Vec2& in_block) {
+  const BlockState& state = blocks[block];
+  const Vec3& e = state.strain;
+  return state.centroid + Rotation::of(state.angle)
+                              .turn({(1 + e[0]) * in_block.x() + e[2] / 2 * in_block.y(),
+                                     e[2] / 2 * in_block.x() + (1 + e[1]) * in_block.y()});
+}
+
+class Area {  // of a polygon, corner by corner
+ public:
+  void add(const Vec2& p) {
+    if (count_++ == 0) first_ = p;
+    else twice_ += cross(last_ - first_, p - first_);
+    last_ = p;
+  }
+  double value() const { return twice_ / 2; }
+
+ private:
+  Vec2 first_ = Vec2::Zero(), last_ = Vec2::Zero();
+  double twice_ = 0;
+  int count_ = 0;
+};
+
+Vec2 joint_end(const Model& model, const Joint& joint, int end) {
+  return (model.place(joint.a, joint.in_a[end]) + model.place(joint.b, joint.in_b[end])) / 2;
+}
+
+}  // namespace
+
+GasPaths::GasPaths(const Model& model)
+    : joints_at_(model.nodes.position.size()),
+      wall_nodes_(model.hole_walls.size()),
+      corners_(model.nodes.position.size()),
+      wall_at_(model.nodes.position.size(), -1) {
+  for (size_t j = 0; j < model.joints.size(); ++j)
+    for (const int node : model.joints[j].node) joints_at_[node].push_back(int(j));
+  std::unordered_map<int, int> node_of;  // by index into Model::vertex
+  const Nodes& nodes = model.nodes;
+  for (size_t n = 0; n + 1 < nodes.begin.size(); ++n) {
+    struct Seen {
+      double angle;
+      Corner corner;
+    };
+    std::vector<Seen> round;
+    for (int k = nodes.begin[n]; k < nodes.begin[n + 1]; ++k) {
+      const int block = nodes.blocks[k], vertex = model.shapes[block].vertex_begin + nodes.corners[k];
+      const Vec2 inward = -model.reference_vertex[vertex];  // to the centroid: inside the corner of a convex block
+      round.push_back({std::atan2(inward.y(), inward.x()), {block, vertex}});
+      node_of[vertex] = int(n);
+    }
+    std::sort(round.begin(), round.end(), [](const Seen& a, const Seen& b) { return a.angle < b.angle; });
+    size_t after = 0;
+    double widest = -1;
+    for (size_t k = 0; k < round.size(); ++k) {
+      double gap = round[k].angle - round[(k + round.size() - 1) % round.size()].angle;
+      if (k == 0) gap += 2 * std::numbers::pi;
+      if (gap > widest) {
+        widest = gap;
+        after = k;
+      }
+    }
+    std::rotate(round.begin(), round.begin() + long(after), round.end());
+    for (const Seen& seen : round) corners_[n].push_back(seen.corner);
+  }
+  for (size_t w = 0; w < model.hole_walls.size(); ++w)
+    for (const BlockEdge& edge : model.hole_walls[w].edges) {
+      const int node = node_of.at(model.shapes[edge.block].vertex_begin + edge.edge);
+      wall_nodes_[w].push_back(node);
+      wall_at_[node] = int(w);
+    }
+}
+
+Reach GasPaths::find(const Model& model, const std::vector<int>& own,
+                     const std::function<bool(const Vec2&)>& within) const {
+  constexpr int halvings = 40;
+  std::vector<char> pressed(model.joints.size(), 0), node_seen(corners_.size(), 0), joint_seen(model.joints.size(), 0);
+  for (const Contact& c : model.contacts)
+    if (c.joint >= 0 && c.normal_force > 0) pressed[c.joint] = 1;
+  Reach reach;
+  std::vector<int> met;
+  for (const int wall : own)
+    for (const int node : wall_nodes_[wall])
+      if (!node_seen[node]++) reach.nodes.push_back(node);
+  for (size_t head = 0; head < reach.nodes.size(); ++head)
+    for (const int j : joints_at_[reach.nodes[head]]) {
+      const Joint& joint = model.joints[j];
+      if (joint.state != JointState::failed || pressed[j] || joint_seen[j]) continue;
+      const int end = joint.node[0] == reach.nodes[head] ? 0 : 1;
+      const Vec2 near = joint_end(model, joint, end), far = joint_end(model, joint, 1 - end);
+      double part = 1;
+      if (!within(far)) {
+        double low = 0, high = 1;
+        for (int k = 0; k < halvings; ++k) {
+          const double middle = (low + high) / 2;
+          (within(near + middle * (far - near)) ? low : high) = middle;
+        }
+        part = low;
+      }
+      if (part == 0) continue;
+      joint_seen[j] = part == 1;  // what has been reached in part may yet be reached from its other end
+      reach.joints.push_back(end == 0 ? ReachedJoint{j, 0, part} : ReachedJoint{j, 1 - part, 1});
+      const int next = joint.node[1 - end];
+      if (part == 1 && !node_seen[next]++) reach.nodes.push_back(next);
+    }
+  // Parts from both ends that have met are the whole.
+  std::sort(reach.joints.begin(), reach.joints.end(), [](const ReachedJoint& a, const ReachedJoint& b) {
+    return a.joint != b.joint ? a.joint < b.joint : a.from < b.from;
+  });
+  std::vector<ReachedJoint> merged;
+  for (const ReachedJoint& r : reach.joints) {
+    if (!merged.empty() && merged.back().joint == r.joint && merged.back().to >= r.from)
+      merged.back().to = std::max(merged.back().to, r.to);
+    else
+      merged.push_back(r);
+  }
+  reach.joints = std::move(merged);
+  for (const int node : reach.nodes) {
+    const int wall = wall_at_[node];
+    reach.surface = reach.surface || model.nodes.free[node];
+    if (wall >= 0 && std::find(own.begin(), own.end(), wall) == own.end() &&
+        std::find(reach.walls.begin(), reach.walls.end(), wall) == reach.walls.end())
+      reach.walls.push_back(wall);
+  }
+  return reach;
+}
+
+double gas_volume(const Model& model, const std::vector<BlockState>& blocks, const GasPaths& paths,
+                  const std::vector<int>& walls, const Reach& reach) {
+  double volume = 0;
+  for (const int wall : walls) {
+    Area hole;  // the wall has its blocks on the left, the hole on the right
+    for (const BlockEdge& edge : model.hole_walls[wall].edges)
+      for (const int corner : {edge.edge, model.next_vertex(edge.block, edge.edge)})
+        hole.add(place_of(blocks, edge.block, model.reference_vertex[model.shapes[edge.block].vertex_begin + corner]));
+    volume -= hole.value();
+  }
+  for (const ReachedJoint& r : reach.joints) {
+    const Joint& joint = model.joints[r.joint];
+    const auto at = [&](const std::array<Vec2, 2>& ends, double s) { return Vec2((1 - s) * ends[0] + s * ends[1]); };
+    Area opened;
+    opened.add(place_of(blocks, joint.b, at(joint.in_b, r.from)));
+    opened.add(place_of(blocks, joint.b, at(joint.in_b, r.to)));
+    opened.add(place_of(blocks, joint.a, at(joint.in_a, r.to)));
+    opened.add(place_of(blocks, joint.a, at(joint.in_a, r.from)));
+    volume += opened.value();
+  }
+  for (const int node : reach.nodes) {
+    Area between;
+    for (const GasPaths::Corner& c : paths.corners(node))
+      between.add(place_of(blocks, c.block, model.reference_vertex[c.vertex]));
+    volume += between.value();
+  }
+  return volume;
+}
+
+void add_gas_faces(const Model& model, int chamber, const std::vector<int>& walls, const Reach& reach,
+                   std::vector<GasFace>& faces) {
+  for (const int wall : walls)
+    for (const BlockEdge& edge : model.hole_walls[wall].edges) {
+      const int begin = model.shapes[edge.block].vertex_begin;
+      faces.push_back({chamber, edge.block,
+                       {model.reference_vertex[begin + edge.edge],
+                        model.reference_vertex[begin + model.next_vertex(edge.block, edge.edge)]}});
+    }
+  for (const ReachedJoint& r : reach.joints) {
+    const Joint& joint = model.joints[r.joint];
+    const auto at = [&](const std::array<Vec2, 2>& ends, double s) { return Vec2((1 - s) * ends[0] + s * ends[1]); };
+    faces.push_back({chamber, joint.a, {at(joint.in_a, r.from), at(joint.in_a, r.to)}});
+    faces.push_back({chamber, joint.b, {at(joint.in_b, r.to), at(joint.in_b, r.from)}});
+  }
+}
+
+}  // namespace talus

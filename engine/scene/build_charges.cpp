@@ -1,0 +1,92 @@
+// Charges find the walls of their holes, and the gas the free surfaces where it vents.
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "geometry/polygon.h"
+#include "scene/build_parts.h"
+
+namespace talus {
+
+namespace {
+
+constexpr double on_outline = 1e-9;  // of the scene's size, as for fixities: far above rounding, far below any block
+
+std::pair<double, double> key(const Vec2& p) { return {p.x(), p.y()}; }
+
+HoleWall wall_of(const Model& model, int id, const std::vector<FreeEdge>& edges) {
+  const Charge& charge = model.scene.charges[id];
+  const Region& region = model.scene.regions[charge.region];
+  const Hole& hole = region.holes[charge.hole];
+  const double tolerance = on_outline * model.extent;
+  std::map<std::pair<double, double>, const FreeEdge*> from;
+  for (const FreeEdge& edge : edges)
+    if (edge.region == charge.region && distance_to_boundary(hole.outline, edge.from) <= tolerance &&
+        distance_to_boundary(hole.outline, Vec2((edge.from + edge.to) / 2)) <= tolerance)
+      from[key(edge.from)] = &edge;
+  HoleWall wall;
+  wall.charge = id;
+  const PolygonIntegrals integrals = integrate(hole.outline);
+  wall.centre = integrals.centroid;
+  wall.radius = std::sqrt(integrals.area / std::numbers::pi);
+  const size_t count = from.size();
+  for (const FreeEdge* edge = count ? from.begin()->second : nullptr; edge;) {
+    wall.edges.push_back({edge->block, edge_of(model, *edge)});
+    const auto next = from.find(key(edge->to));
+    from.erase(key(edge->from));
+    edge = next == from.end() || from.empty() ? nullptr : next->second;
+    if (edge && !from.contains(key(edge->from))) edge = nullptr;
+  }
+  if (wall.edges.size() < 3 || wall.edges.size() != count)
+    throw InputError(charge.place, "charge.hole", "a hole with a closed wall of free edges",
+                     "\"" + hole.name + "\", whose wall has " + std::to_string(wall.edges.size()) + " of " +
+                         std::to_string(count) + " edges in a row");
+  return wall;
+}
+
+}  // namespace
+
+int edge_of(const Model& model, const FreeEdge& edge) {
+  const BlockShape& shape = model.shapes[edge.block];
+  int nearest = 0;
+  double least = -1;
+  for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) {
+    const double distance = (shape.reference_centroid + model.reference_vertex[v] - edge.from).norm();
+    if (least < 0 || distance < least) {
+      least = distance;
+      nearest = v - shape.vertex_begin;
+    }
+  }
+  return nearest;
+}
+
+void attach_charges(Model& model, const std::vector<FreeEdge>& edges) {
+  if (model.scene.charges.empty()) return;
+  std::set<std::pair<int, int>> closed;  // edges where nothing vents: walls of charges, and what is held
+  for (size_t c = 0; c < model.scene.charges.size(); ++c) {
+    model.hole_walls.push_back(wall_of(model, int(c), edges));
+    for (const BlockEdge& edge : model.hole_walls.back().edges) closed.insert({edge.block, edge.edge});
+  }
+  std::vector<int> node_of(model.reference_vertex.size(), -1);
+  Nodes& nodes = model.nodes;
+  for (size_t n = 0; n + 1 < nodes.begin.size(); ++n)
+    for (int k = nodes.begin[n]; k < nodes.begin[n + 1]; ++k)
+      node_of[model.shapes[nodes.blocks[k]].vertex_begin + nodes.corners[k]] = int(n);
+  std::set<std::pair<int, int>> held;
+  for (const EdgeFixity& fixity : model.edge_fixities)
+    held.insert({fixity.block, edge_of(model, {0, fixity.block,
+                                               model.reference_place(fixity.block, fixity.in_block[0]), Vec2::Zero()})});
+  for (const ViscousEdge& viscous : model.viscous_edges) held.insert({viscous.block, viscous.edge});
+  nodes.free.assign(nodes.position.size(), 0);
+  for (const FreeEdge& edge : edges) {
+    const int own = edge_of(model, edge);
+    if (closed.contains({edge.block, own}) || held.contains({edge.block, own})) continue;
+    for (const int v : {own, model.next_vertex(edge.block, own)}) {
+      const int node = node_of[model.shapes[edge.block].vertex_begin + v];
+      if (node >= 0) nodes.free[node] = 1;
+    }
+  }
+}
+
+}  // namespace talus
