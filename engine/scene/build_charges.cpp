@@ -32,7 +32,7 @@ HoleWall wall_of(const Model& model, int id, const std::vector<FreeEdge>& edges)
   wall.radius = std::sqrt(integrals.area / std::numbers::pi);
   const size_t count = from.size();
   for (const FreeEdge* edge = count ? from.begin()->second : nullptr; edge;) {
-    wall.edges.push_back({edge->block, edge_of(model, *edge)});
+    wall.edges.push_back({edge->block, edge->edge});
     const auto next = from.find(key(edge->to));
     from.erase(key(edge->from));
     edge = next == from.end() || from.empty() ? nullptr : next->second;
@@ -47,20 +47,6 @@ HoleWall wall_of(const Model& model, int id, const std::vector<FreeEdge>& edges)
 
 }  // namespace
 
-int edge_of(const Model& model, const FreeEdge& edge) {
-  const BlockShape& shape = model.shapes[edge.block];
-  int nearest = 0;
-  double least = -1;
-  for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) {
-    const double distance = (shape.reference_centroid + model.reference_vertex[v] - edge.from).norm();
-    if (least < 0 || distance < least) {
-      least = distance;
-      nearest = v - shape.vertex_begin;
-    }
-  }
-  return nearest;
-}
-
 void attach_charges(Model& model, const std::vector<FreeEdge>& edges) {
   if (model.scene.charges.empty()) return;
   std::set<std::pair<int, int>> closed;  // edges where nothing vents: walls of charges, and what is held
@@ -73,14 +59,16 @@ void attach_charges(Model& model, const std::vector<FreeEdge>& edges) {
   for (size_t n = 0; n + 1 < nodes.begin.size(); ++n)
     for (int k = nodes.begin[n]; k < nodes.begin[n + 1]; ++k)
       node_of[model.shapes[nodes.blocks[k]].vertex_begin + nodes.corners[k]] = int(n);
-  std::set<std::pair<int, int>> held;
+  std::set<std::pair<int, int>> held;  // by what holds a whole edge
   for (const EdgeFixity& fixity : model.edge_fixities)
-    held.insert({fixity.block, edge_of(model, {0, fixity.block,
-                                               model.reference_place(fixity.block, fixity.in_block[0]), Vec2::Zero()})});
+    for (const FreeEdge& edge : edges)
+      if (edge.block == fixity.block &&
+          (edge.from - model.reference_place(fixity.block, fixity.in_block[0])).norm() <= on_outline * model.extent)
+        held.insert({edge.block, edge.edge});
   for (const ViscousEdge& viscous : model.viscous_edges) held.insert({viscous.block, viscous.edge});
   nodes.free.assign(nodes.position.size(), 0);
   for (const FreeEdge& edge : edges) {
-    const int own = edge_of(model, edge);
+    const int own = edge.edge;
     if (closed.contains({edge.block, own}) || held.contains({edge.block, own})) continue;
     for (const int v : {own, model.next_vertex(edge.block, own)}) {
       const int node = node_of[model.shapes[edge.block].vertex_begin + v];

@@ -13,7 +13,6 @@ struct FreeEdge {
 
 void check_regions(Scene& scene);                                          // also turns outlines counter-clockwise
 std::vector<FreeEdge> build_blocks(Model& model);                          // blocks, joints, nodes
-int edge_of(const Model& model, const FreeEdge& edge);                     // its number in the block
 void attach(Model& model, const std::vector<FreeEdge>& edges);             // fixities, loads, viscous boundaries, probes
 void attach_charges(Model& model, const std::vector<FreeEdge>& edges);     // hole walls; after attach()
 
