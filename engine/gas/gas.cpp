@@ -217,29 +217,42 @@ void Gas::spread(int c) {
   chamber.pressure = law_pressure(chamber, volume);
 }
 
+// Whether the gas of two chambers has met in a joint, each coming from its own end.
+bool Gas::meet(int a, int b) const {
+  for (const ReachedJoint& mine : reach_[a].joints)
+    for (const ReachedJoint& other : reach_[b].joints)
+      if (mine.joint == other.joint && std::max(mine.from, other.from) <= std::min(mine.to, other.to)) return true;
+  return false;
+}
+
 void Gas::merge() {
-  for (size_t c = 0; c < chambers_.size(); ++c) {
+  for (int c = 0; c < int(chambers_.size()); ++c) {
     if (chambers_[c].state != Chamber::State::pressing) continue;
-    for (const int wall : std::vector<int>(reach_[c].walls)) {
-      const int other = chamber_of(wall);
-      Chamber &own = chambers_[c], &met = chambers_[other];
-      if (other == int(c)) continue;
-      if (met.state == Chamber::State::vented) {
-        reach_[c].surface = true;
-        continue;
-      }
-      own.walls.insert(own.walls.end(), met.walls.begin(), met.walls.end());
-      own.charges.insert(own.charges.end(), met.charges.begin(), met.charges.end());
-      own.joined += met.joined;
-      own.work += met.work;
-      own.front = std::max(own.front, met.front);
-      events_.push_back({GasEventKind::merging, int(c), int(other), model_.time, met.volume, met.pressure});
-      if (met.state == Chamber::State::pressing) own.volume += met.volume;
-      met.state = Chamber::State::merged;
-      met.pressure = 0;
-      spread(int(c));
-    }
+    std::vector<int> met;
+    for (const int wall : reach_[c].walls) met.push_back(chamber_of(wall));
+    for (int other = 0; other < int(chambers_.size()); ++other)
+      if (other != c && chambers_[other].state == Chamber::State::pressing && meet(c, other)) met.push_back(other);
+    for (const int other : met)
+      if (other != c && chambers_[other].state != Chamber::State::merged) take_over(c, other);
   }
+}
+
+void Gas::take_over(int c, int other) {
+  Chamber &own = chambers_[c], &met = chambers_[other];
+  if (met.state == Chamber::State::vented) {
+    reach_[c].surface = true;
+    return;
+  }
+  events_.push_back({GasEventKind::merging, c, other, model_.time, met.volume, met.pressure});
+  own.walls.insert(own.walls.end(), met.walls.begin(), met.walls.end());
+  own.charges.insert(own.charges.end(), met.charges.begin(), met.charges.end());
+  own.joined += met.joined;
+  own.work += met.work;
+  own.front = std::max(own.front, met.front);
+  if (met.state == Chamber::State::pressing) own.volume += met.volume;
+  met.state = Chamber::State::merged;
+  met.pressure = 0;
+  spread(c);
 }
 
 void Gas::vent() {

@@ -67,7 +67,9 @@ class Gas {
   int chamber_of(int wall) const;
   void find_reach(int chamber);
   void spread(int chamber);
+  bool meet(int a, int b) const;
   void merge();
+  void take_over(int chamber, int other);
   void vent();
   double vent_part(const Chamber& chamber, double time) const;
 
