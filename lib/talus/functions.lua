@@ -26,6 +26,15 @@ return {
     { "sim.totals",
       "{steps, steps_at_rest (nothing moved, nothing was solved), steps_by_sweeps (without a factor), islands {at_rest, single"
         .. " (a block alone), by_sweeps, with_factor, asleep}, iterations, sweeps (over the contacts), cuts, factorisations, largest_iterations, largest_residual, seconds}; seconds: CPU time by part" },
+    { "sim.cracks", "cracks of bonds that have failed and hang together: { {joints, length, tension, shear}, … } with the lengths of"
+        .. " all in `tension` and `shear` (m)" },
+    { "sim.fragments", "what hangs together by intact bonds: { {blocks, area, mass, size, x, y, vx, vy}, … }; size: diameter of the"
+        .. " disc of its area (m)" },
+    { "sim.reactions.name", "{x, y} (N per metre) of the fixities of that name on what they hold" },
+    { "sim.collapsed", "whether a static run has ended at a load that nothing holds" },
+    { "sim.charges[1], sim.charges.name", "the chamber that holds the charge's gas: {name, state (\"waiting\", \"pressing\", \"vented\"),"
+        .. " vented, vented_at (s), volume, first_volume (m3 per metre), pressure (Pa), front (m), work (J/m, by its law), joined (m3 per"
+        .. " metre, filled as it entered cracks)}" },
     { "sim:material(name), sim:joint(name), sim:fix(name), sim:load(name), sim:region(name)",
       "the object as the script made it, by name or number: `sim:load(\"push\").force = {0, -2e3}`" },
     { "sim.blocks[7].sxx", "a field of one block (or joint, contact, probe), numbered from 1" },
