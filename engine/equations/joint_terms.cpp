@@ -159,6 +159,17 @@ double JointTerms::energy_of(const Model& model, int j, const Pose& pose_a, cons
   return sum;
 }
 
+BondTraction JointTerms::flux(const Model& model, int j) const {
+  const Joint& joint = model.joints[j];
+  if (joint.kind != BondKind::exact) return {};
+  const Pose pose_a = flown(model, joint.a, 0), pose_b = flown(model, joint.b, 0);
+  const Side a = side_of(model, pose_a, joint.a, joint.normal, joint.weight_a);
+  const Side b = side_of(model, pose_b, joint.b, joint.normal, joint.weight_b);
+  const Vec2 n = turned_normal(joint, pose_a, pose_b);
+  const Vec2 mean = a.weight * a.traction(pose_a.strain) + b.weight * b.traction(pose_b.strain);
+  return {mean.dot(n), mean.dot(perp(n))};
+}
+
 void JointTerms::store_tractions(Model& model) const {
   Poses now;
   now.predict(model, Scheme::equilibrium());

@@ -27,6 +27,9 @@ class JointTerms {
   double energy(const Model& model, double ahead) const;
   double energy_of(const Model& model, int joint, double ahead) const;  // whether intact or not
 
+  // Pa, {σ}n of an exact bond in the joint's axes, whether intact or not; nothing for springs.
+  BondTraction flux(const Model& model, int joint) const;
+
   // N/m3: {normal, shear} stiffness per area of joint `j`; k twice for an exact bond.
   std::array<double, 2> stiffness(int j) const { return stiffness_[j]; }
   const std::vector<double>& ground_stiffness() const { return ground_stiffness_; }  // N/m3, per EdgeFixity

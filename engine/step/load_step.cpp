@@ -35,25 +35,32 @@ class Restored {
   bool kept_ = false;
 };
 
-// What bonds that fail under a held load give off while the rock moves to its new equilibrium: half of the tractions that
-// contacts do not take over, along the jumps that follow (the crack closure integral of Irwin 1957, read backwards).
+// What bonds that fail under a held load give off while the rock moves to its new equilibrium: half of the derivative of
+// their vanished potential along the way it goes, of ∫ {σ}n · g + ½ k g² the tractions along the jumps that follow (the
+// crack closure integral of Irwin 1957, read backwards) and the change of {σ}n along the jump before; less what contacts
+// take over.
 class Closure {
  public:
-  Closure(const Model& model, const std::vector<int>& joints) : joints_(joints) {
+  Closure(const Model& model, const JointTerms& bonds, const std::vector<int>& joints) : bonds_(bonds), joints_(joints) {
     for (const int j : joints) {
       const Joint& joint = model.joints[j];
       const BondTraction all = mean_traction(joint);
-      before_.push_back({joint.points, joint.bridged ? all : taken_over(all, joint.remaining)});
+      before_.push_back({joint.points, joint.bridged ? all : taken_over(all, joint.remaining), bonds.flux(model, j)});
     }
   }
   double work(const Model& model) const {
     double sum = 0;
-    for (size_t k = 0; k < joints_.size(); ++k)
-      for (size_t p = 0; p < before_[k].points.size(); ++p) {
-        const JointPoint &now = model.joints[joints_[k]].points[p], &then = before_[k].points[p];
-        sum += now.weight / 2 * ((then.normal - before_[k].kept.normal) * (now.opening - then.opening) +
-                                 (then.shear - before_[k].kept.shear) * (now.slip - then.slip));
+    for (size_t k = 0; k < joints_.size(); ++k) {
+      const Before& before = before_[k];
+      const BondTraction flux = bonds_.flux(model, joints_[k]);
+      for (size_t p = 0; p < before.points.size(); ++p) {
+        const JointPoint &now = model.joints[joints_[k]].points[p], &then = before.points[p];
+        sum += now.weight / 2 *
+               ((then.normal - before.kept.normal) * (now.opening - then.opening) +
+                (then.shear - before.kept.shear) * (now.slip - then.slip) +
+                (flux.normal - before.flux.normal) * then.opening + (flux.shear - before.flux.shear) * then.slip);
       }
+    }
     return sum;
   }
 
@@ -61,7 +68,9 @@ class Closure {
   struct Before {
     std::array<JointPoint, 2> points;
     BondTraction kept;  // by contacts, and by a bridge, which books its own work
+    BondTraction flux;
   };
+  const JointTerms& bonds_;
   const std::vector<int>& joints_;
   std::vector<Before> before_;
 };
@@ -126,7 +135,7 @@ StepReport Stepper::break_bonds(const std::vector<int>& due) {
   fracture_->fail(due, model_.time);
   search_.update(model_, 0);
   const double released = released_energy();
-  const Closure closure(model_, due);
+  const Closure closure(model_, joints_, due);
   const BridgeBooking bridges(model_);
   Restored at_failure(model_);
   Equilibrium search;

@@ -27,11 +27,11 @@ local function pulled(by)
 end
 local notch = talus.trace { points = { {0, 0.5}, {0.3, 0.5} }, joint = talus.joint { name = "notch", friction = 0 } }
 
--- Above the 1 % of the others: the work of a bond that fails leaves out the part of its force that acts through the flux of its two
--- blocks (the symmetric term of Nitsche's method), which goes as its jump before failure and so is largest on a coarse mesh at a tip.
+-- In tension nothing slides and the rock is linear: what failure releases is exact but for the rotations of the blocks, which are
+-- of the strains' size.
 local torn = account("notched plate torn, static", {
   regions = { plate { mesh = { size = 0.12 }, cuts = { notch } } }, fix = pulled(0.04*u.mm), time = { mode = "static", steps = 4 } },
-  0.03)
+  1e-5)
 talus.check.above("notched plate torn, static: cracked, m", torn.cracks.tension, 0.6)
 talus.check.above("notched plate torn, static: released by failure, J/m", torn.energy.fracture, 0)
 
