@@ -76,3 +76,28 @@ do
   talus.check.near("time of meeting", merged and merged.time or -1, 0.5/speed, { abs = 2e-5*1.001 })
   talus.check.near("one chamber holds both", sim.charges[1].volume, sim.charges[2].volume, { abs = 0 })
 end
+
+-- Saved while gas presses and bonds break: what follows is the same to the last bit, also in another run.
+do
+  local joint = talus.joint { friction = 45*u.deg, cohesion = 20*u.MPa, tension = 5*u.MPa }
+  local function make()
+    return talus.simulation {
+      regions = { talus.region { name = "halves", outline = talus.rect(0, 0, 2, 1), material = rock, joint = joint,
+        mesh = { size = 0.2 }, cuts = { talus.trace { points = {{1, -1}, {1, 2}} } },
+        holes = { talus.circle { at = {1, 0.5}, radius = 0.05, sides = 12, name = "hole" } } } },
+      charges = { talus.charge { hole = "hole", delay = 1e-5, eos = talus.eos.polytropic { pressure = 40*u.MPa },
+                                 gas_speed = 2000 } },
+      time = { t_end = 1e-3, max_steps = 12 } }
+  end
+  local one, other = make(), make()
+  for _ = 1, 6 do one:step() end
+  local saved = one:save()
+  for _ = 1, 6 do one:step() end
+  local hash = one:hash()
+  one:restore(saved)
+  for _ = 1, 6 do one:step() end
+  talus.check.truth("restored with gas and cracks: the same state", one:hash() == hash)
+  for _ = 1, 12 do other:step() end
+  talus.check.truth("another run: the same state", other:hash() == hash)
+  talus.check.above("bonds that failed meanwhile", one.totals.failures, 5)
+end
