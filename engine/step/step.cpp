@@ -93,6 +93,13 @@ struct Softening {
   }
 };
 
+// Whether all blocks hang together by bonds and nothing has cracked: then nothing touches.
+bool in_one_piece(const Model& model) {
+  const auto failed = [](const Joint& joint) { return joint.state == JointState::failed; };
+  return !model.fragment.empty() && *std::max_element(model.fragment.begin(), model.fragment.end()) == 0 &&
+         std::none_of(model.joints.begin(), model.joints.end(), failed);
+}
+
 }  // namespace
 
 Stepper::Stepper(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledger)
@@ -287,7 +294,7 @@ bool Stepper::balance(Equilibrium& search) { return find_equilibrium(false, 0, e
 
 bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search) {
   auto& [report, result, d] = search;
-  const double least = plan_.contacts ? least_hold : 0, enough = model_.scene.numerics.static_tolerance;
+  const double least = plan_.contacts && !in_one_piece(model_) ? least_hold : 0, enough = model_.scene.numerics.static_tolerance;
   Softening softening;
   for (BlockState& state : model_.blocks) state.velocity.fill(0);
   if (plan_.held_blocks) place_held_blocks(model_);
