@@ -53,8 +53,8 @@ bool BlockMatrix::take_part(const BlockMatrix& whole, const std::vector<int>& bl
   double* to = values.data();
   for (const int b : blocks) {  // a block's columns lie together, and in the same order
     const int first = whole.begin_[b];
-    to = std::copy(&whole.values[whole.column_begin_[first]],
-                   &whole.values[whole.column_begin_[first + whole.sizes_[b]]], to);
+    const double* const from = whole.values.data();
+    to = std::copy(from + whole.column_begin_[first], from + whole.column_begin_[first + whole.sizes_[b]], to);
   }
   return changed;
 }
