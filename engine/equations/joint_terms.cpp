@@ -86,11 +86,9 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
     const Side a = side_of(model, poses.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
     const Side b = side_of(model, poses.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
     const bool exact = joint.kind == BondKind::exact;
-    const Vec3 strain_a = a.strain_at(scheme.bond_v), strain_b = b.strain_at(scheme.bond_v);
     const DofRows zero = DofRows::Zero();
     const DofRows sa = exact ? a.flux() : zero, sb = exact ? b.flux() : zero;
-    const Vec2 mean_flux =
-        exact ? Vec2(a.weight * a.traction(strain_a) + b.weight * b.traction(strain_b)) : Vec2(0, 0);
+    const Vec2 flux = exact ? mean_flux(a, b, scheme.bond_v) : Vec2(0, 0);
     // Joint axes for the springs: the mean of the two blocks' turned normals.
     const Vec2 n = turned_normal(joint, a.pose, b.pose);
     const auto [kn, ks] = stiffness_[j];
@@ -105,7 +103,7 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
           (a.pose.place(between(joint.in_a, point.at)) + b.pose.place(between(joint.in_b, point.at))) / 2;
       const DofRows ta = a.pose.rows(at), tb = b.pose.rows(at);
       const Vec2 gap = jump.at(point.at);
-      const Vec2 traction = mean_flux + stiffness * gap;
+      const Vec2 traction = flux + stiffness * gap;
       const double w = point.weight;
       fa += w * (ta.transpose() * traction - sa.transpose() * gap);
       fb -= w * (tb.transpose() * traction + sb.transpose() * gap);
@@ -144,9 +142,7 @@ double JointTerms::energy_of(const Model& model, int j, const Pose& pose_a, cons
   const Joint& joint = model.joints[j];
   const Side a = side_of(model, pose_a, joint.a, joint.normal, joint.weight_a);
   const Side b = side_of(model, pose_b, joint.b, joint.normal, joint.weight_b);
-  Vec2 flux(0, 0);
-  if (joint.kind == BondKind::exact)
-    flux = a.weight * a.traction(a.strain_at(ahead)) + b.weight * b.traction(b.strain_at(ahead));
+  const Vec2 flux = joint.kind == BondKind::exact ? mean_flux(a, b, ahead) : Vec2(0, 0);
   const Vec2 n = turned_normal(joint, pose_a, pose_b);
   const auto [kn, ks] = stiffness_[j];
   const double spin = spin_of(model, joint);
@@ -166,7 +162,7 @@ BondTraction JointTerms::flux(const Model& model, int j) const {
   const Side a = side_of(model, pose_a, joint.a, joint.normal, joint.weight_a);
   const Side b = side_of(model, pose_b, joint.b, joint.normal, joint.weight_b);
   const Vec2 n = turned_normal(joint, pose_a, pose_b);
-  const Vec2 mean = a.weight * a.traction(pose_a.strain) + b.weight * b.traction(pose_b.strain);
+  const Vec2 mean = mean_flux(a, b, 0);
   return {mean.dot(n), mean.dot(perp(n))};
 }
 
@@ -180,9 +176,7 @@ void JointTerms::store_tractions(Model& model) const {
     const Side b = side_of(model, now.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
     const Vec2 n = turned_normal(joint, a.pose, b.pose);
     const bool intact = joint.state == JointState::intact;
-    const Vec2 flux = intact && joint.kind == BondKind::exact
-                          ? Vec2(a.weight * a.traction(a.pose.strain) + b.weight * b.traction(b.pose.strain))
-                          : Vec2(0, 0);
+    const Vec2 flux = intact && joint.kind == BondKind::exact ? mean_flux(a, b, 0) : Vec2(0, 0);
     for (JointPoint& point : joint.points) {
       const Vec2 gap =
           b.pose.displacement(between(joint.in_b, point.at)) - a.pose.displacement(between(joint.in_a, point.at));

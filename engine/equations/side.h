@@ -40,6 +40,11 @@ inline Side side_of(const Model& model, const Pose& pose, int block, const Vec2&
   return {pose, elasticity(model.material(block)), model.shapes[block].initial_stress, normal, weight};
 }
 
+// {σ}n, the weighted mean of both sides' tractions, with the strains `seconds` ahead.
+inline Vec2 mean_flux(const Side& a, const Side& b, double seconds) {
+  return a.weight * a.traction(a.strain_at(seconds)) + b.weight * b.traction(b.strain_at(seconds));
+}
+
 inline Vec2 between(const std::array<Vec2, 2>& ends, double at) {
   return (1 - at) * ends[0] + at * ends[1];
 }

@@ -2,27 +2,12 @@
 
 #include <cmath>
 #include <numbers>
-#include <numeric>
+
+#include "model/disjoint_sets.h"
 
 namespace talus {
 
 namespace {
-
-class Sets {  // disjoint; a set is named by its least member
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int root(int k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void join(int a, int b) {
-    const auto [low, high] = std::minmax({root(a), root(b)});
-    parent_[high] = low;
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 // 0, 1, … in order of first appearance; those without a set keep -1.
 std::vector<int> counted(std::vector<int> set) {
@@ -40,7 +25,7 @@ std::vector<int> counted(std::vector<int> set) {
 
 std::vector<int> cracks_at_nodes(const Model& model) {
   std::vector<int> crack(model.nodes.position.size(), -1);
-  Sets sets(crack.size());
+  DisjointSets sets(crack.size());
   for (const Joint& joint : model.joints)
     if (joint.state == JointState::failed) sets.join(joint.node[0], joint.node[1]);
   for (const Joint& joint : model.joints)
@@ -64,7 +49,7 @@ CrackKind crack_kind(const std::vector<int>& crack_at_node, const Joint& joint) 
 }
 
 std::vector<int> find_fragments(const Model& model) {
-  Sets sets(model.shapes.size());
+  DisjointSets sets(model.shapes.size());
   for (const Joint& joint : model.joints)
     if (joint.state == JointState::intact) sets.join(joint.a, joint.b);
   std::vector<int> fragment(model.shapes.size());

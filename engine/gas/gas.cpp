@@ -63,7 +63,7 @@ void Gas::detonate() {
     Chamber& chamber = chambers_[c];
     Reach hole;
     hole.nodes = paths_.wall_nodes(int(wall));
-    first_volume_[charge] = gas_volume(model_, model_.blocks, paths_, {int(wall)}, hole);
+    first_volume_[charge] = gas_volume(model_, model_.blocks, 0, paths_, {int(wall)}, hole);
     if (chamber.state == Chamber::State::vented) continue;  // blown out already
     chamber.charges.push_back(charge);
     if (chamber.state == Chamber::State::waiting) {
@@ -133,15 +133,7 @@ void Gas::begin_step(double dt) {
     model_.gas_pressure[c] = 0;
     if (chamber.charges.empty() || chamber.state == Chamber::State::merged || vent_part(chamber, model_.time) == 0) continue;
     add_gas_faces(model_, int(c), chamber.walls, reach_[c], model_.gas_faces);
-    std::vector<BlockState> free = model_.blocks;
-    for (size_t b = 0; b < free.size(); ++b) {
-      const auto& v = free[b].velocity;
-      const double length = model_.shapes[b].length;
-      free[b].centroid += dt * Vec2(v[0], v[1]);
-      free[b].angle += dt * v[2] / length;
-      free[b].strain += dt / length * Vec3(v[3], v[4], v[5]);
-    }
-    guess.free = gas_volume(model_, free, paths_, chamber.walls, reach_[c]);
+    guess.free = gas_volume(model_, model_.blocks, dt, paths_, chamber.walls, reach_[c]);
     guess.slope = chamber.gain * dt * dt;
     guess.offset = guess.free + chamber.yield * dt * dt;
     guess.pressure = chamber.pressure;
@@ -157,7 +149,7 @@ bool Gas::agrees(const std::vector<BlockState>& moved) {
     const Chamber& chamber = chambers_[c];
     Guess& guess = guess_[c];
     if (guess.pressure == 0 || chamber.state == Chamber::State::merged) continue;
-    const double volume = gas_volume(model_, moved, paths_, chamber.walls, reach_[c]);
+    const double volume = gas_volume(model_, moved, 0, paths_, chamber.walls, reach_[c]);
     if (guess.solves > 0 && guess.pressure != model_.gas_pressure[c]) {
       // Two solves give the slope.
       const double slope = (volume - guess.volume) / (model_.gas_pressure[c] - guess.pressure);
@@ -211,7 +203,7 @@ void Gas::spread(int c) {
   Chamber& chamber = chambers_[c];
   if (chamber.state != Chamber::State::pressing) return;
   find_reach(c);
-  const double volume = gas_volume(model_, model_.blocks, paths_, chamber.walls, reach_[c]);
+  const double volume = gas_volume(model_, model_.blocks, 0, paths_, chamber.walls, reach_[c]);
   chamber.joined += volume - chamber.volume;
   chamber.volume = volume;
   chamber.pressure = law_pressure(chamber, volume);

@@ -5,32 +5,12 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "equations/side.h"
+#include "geometry/polygon.h"
+
 namespace talus {
 
 namespace {
-
-Vec2 place_of(const std::vector<BlockState>& blocks, int block, const Vec2& in_block) {
-  const BlockState& state = blocks[block];
-  const Vec3& e = state.strain;
-  return state.centroid + Rotation::of(state.angle)
-                              .turn({(1 + e[0]) * in_block.x() + e[2] / 2 * in_block.y(),
-                                     e[2] / 2 * in_block.x() + (1 + e[1]) * in_block.y()});
-}
-
-class Area {  // of a polygon, corner by corner
- public:
-  void add(const Vec2& p) {
-    if (count_++ == 0) first_ = p;
-    else twice_ += cross(last_ - first_, p - first_);
-    last_ = p;
-  }
-  double value() const { return twice_ / 2; }
-
- private:
-  Vec2 first_ = Vec2::Zero(), last_ = Vec2::Zero();
-  double twice_ = 0;
-  int count_ = 0;
-};
 
 Vec2 joint_end(const Model& model, const Joint& joint, int end) {
   return (model.place(joint.a, joint.in_a[end]) + model.place(joint.b, joint.in_b[end])) / 2;
@@ -135,31 +115,28 @@ Reach GasPaths::find(const Model& model, const std::vector<int>& own,
   return reach;
 }
 
-double gas_volume(const Model& model, const std::vector<BlockState>& blocks, const GasPaths& paths,
+double gas_volume(const Model& model, const std::vector<BlockState>& blocks, double seconds, const GasPaths& paths,
                   const std::vector<int>& walls, const Reach& reach) {
+  const auto place = [&](int block, const Vec2& in_block) {
+    return flown(model.shapes[block], blocks[block], seconds).place(in_block);
+  };
   double volume = 0;
   for (const int wall : walls) {
-    Area hole;  // the wall has its blocks on the left, the hole on the right
+    Polyline hole;  // the wall has its blocks on the left, the hole on the right
     for (const BlockEdge& edge : model.hole_walls[wall].edges)
       for (const int corner : {edge.edge, model.next_vertex(edge.block, edge.edge)})
-        hole.add(place_of(blocks, edge.block, model.reference_vertex[model.shapes[edge.block].vertex_begin + corner]));
-    volume -= hole.value();
+        hole.push_back(place(edge.block, model.reference_vertex[model.shapes[edge.block].vertex_begin + corner]));
+    volume -= signed_area(hole);
   }
   for (const ReachedJoint& r : reach.joints) {
     const Joint& joint = model.joints[r.joint];
-    const auto at = [&](const std::array<Vec2, 2>& ends, double s) { return Vec2((1 - s) * ends[0] + s * ends[1]); };
-    Area opened;
-    opened.add(place_of(blocks, joint.b, at(joint.in_b, r.from)));
-    opened.add(place_of(blocks, joint.b, at(joint.in_b, r.to)));
-    opened.add(place_of(blocks, joint.a, at(joint.in_a, r.to)));
-    opened.add(place_of(blocks, joint.a, at(joint.in_a, r.from)));
-    volume += opened.value();
+    volume += signed_area({place(joint.b, between(joint.in_b, r.from)), place(joint.b, between(joint.in_b, r.to)),
+                           place(joint.a, between(joint.in_a, r.to)), place(joint.a, between(joint.in_a, r.from))});
   }
   for (const int node : reach.nodes) {
-    Area between;
-    for (const GasPaths::Corner& c : paths.corners(node))
-      between.add(place_of(blocks, c.block, model.reference_vertex[c.vertex]));
-    volume += between.value();
+    Polyline gap;
+    for (const GasPaths::Corner& c : paths.corners(node)) gap.push_back(place(c.block, model.reference_vertex[c.vertex]));
+    volume += signed_area(gap);
   }
   return volume;
 }
@@ -175,9 +152,8 @@ void add_gas_faces(const Model& model, int chamber, const std::vector<int>& wall
     }
   for (const ReachedJoint& r : reach.joints) {
     const Joint& joint = model.joints[r.joint];
-    const auto at = [&](const std::array<Vec2, 2>& ends, double s) { return Vec2((1 - s) * ends[0] + s * ends[1]); };
-    faces.push_back({chamber, joint.a, {at(joint.in_a, r.from), at(joint.in_a, r.to)}});
-    faces.push_back({chamber, joint.b, {at(joint.in_b, r.to), at(joint.in_b, r.from)}});
+    faces.push_back({chamber, joint.a, {between(joint.in_a, r.from), between(joint.in_a, r.to)}});
+    faces.push_back({chamber, joint.b, {between(joint.in_b, r.to), between(joint.in_b, r.from)}});
   }
 }
 

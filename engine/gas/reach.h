@@ -42,9 +42,9 @@ class GasPaths {
   std::vector<int> wall_at_;  // per node: hole wall it lies on, or -1
 };
 
-// m2, of what the gas fills between the walls and the reached faces, where the blocks are: the holes' polygons, the part of
+// m2, of what the gas fills between the walls and the reached faces, where the blocks get in `seconds` of free flight: the holes' polygons, the part of
 // each joint that it has reached and what opens between the corners that met in a node. Exact polygon areas.
-double gas_volume(const Model& model, const std::vector<BlockState>& blocks, const GasPaths& paths,
+double gas_volume(const Model& model, const std::vector<BlockState>& blocks, double seconds, const GasPaths& paths,
                   const std::vector<int>& walls, const Reach& reach);
 
 // Appends the faces that `chamber` presses on.

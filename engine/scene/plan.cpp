@@ -1,8 +1,8 @@
 #include "scene/plan.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "model/disjoint_sets.h"
 #include "model/model.h"
 
 namespace talus {
@@ -12,17 +12,12 @@ namespace {
 // Bodies that hang together by intact joints: contacts are looked for only where there is more than one, or
 // where a joint is open.
 int count_bodies(const Model& model) {
-  std::vector<int> parent(model.shapes.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int b) {
-    while (parent[b] != b) b = parent[b] = parent[parent[b]];
-    return b;
-  };
+  DisjointSets bodies(model.shapes.size());
   for (const Joint& joint : model.joints)
-    if (joint.state == JointState::intact) parent[root(joint.a)] = root(joint.b);
-  int bodies = 0;
-  for (size_t b = 0; b < parent.size(); ++b) bodies += parent[b] == int(b);
-  return bodies;
+    if (joint.state == JointState::intact) bodies.join(joint.a, joint.b);
+  int count = 0;
+  for (int b = 0; b < int(model.shapes.size()); ++b) count += bodies.root(b) == b;
+  return count;
 }
 
 std::string count_text(size_t count, const std::string& what) {

@@ -1,12 +1,13 @@
 #include "script/failure_laws.h"
 
+#include <array>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "fracture/reduction.h"
 #include "script/laws.h"
 #include "script/lua_error.h"
+#include "script/lua_fields.h"
 
 namespace talus {
 namespace {
@@ -17,17 +18,6 @@ class Arguments {
  public:
   explicit Arguments(lua_State* L) : table_(make(L)) {}
   void push() const { table_.push(); }
-  // Of the table on the top of the stack.
-  static void set(lua_State* L, const char* name, double value) {
-    lua_pushnumber(L, value);
-    lua_setfield(L, -2, name);
-  }
-  static void set(lua_State* L, const Strength& strength) {
-    set(L, "friction", strength.friction);
-    set(L, "cohesion", strength.cohesion);
-    set(L, "tension", strength.tension);
-  }
-
  private:
   static LuaFunction make(lua_State* L) {
     lua_newtable(L);
@@ -39,17 +29,13 @@ class Arguments {
 };
 
 [[noreturn]] void fail(const Place& place, const char* law, const std::string& given, const std::string& problem) {
-  throw LawError(place.text() + ": joint." + law + ": at " + given + ": " + problem);
+  throw LawError(place.text() + ": joint." + law + ": " + given + ": " + problem);
 }
 
-std::string numbers(std::initializer_list<std::pair<const char*, double>> values) {
-  std::string text;
-  for (const auto& [name, value] : values) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%.10g", value);
-    text += (text.empty() ? "" : ", ") + std::string(name) + " = " + number;
-  }
-  return text;
+void set_strength(lua_State* L, const Strength& strength) {
+  set_number(L, "friction", strength.friction);
+  set_number(L, "cohesion", strength.cohesion);
+  set_number(L, "tension", strength.tension);
 }
 
 // The law's one result, on the top of the stack. `given()`: what it was asked, in words; only for messages.
@@ -70,10 +56,12 @@ FailureCriterion criterion_of(const LuaFunction& law, const Place& place) {
     luaL_checkstack(L, 4, "a law");
     law.push();
     arguments.push();
-    Arguments::set(L, "normal", traction.normal);
-    Arguments::set(L, "shear", traction.shear);
-    Arguments::set(L, intact);
-    const auto given = [&] { return numbers({{"normal", traction.normal}, {"shear", traction.shear}}); };
+    set_number(L, "normal", traction.normal);
+    set_number(L, "shear", traction.shear);
+    set_strength(L, intact);
+    const auto given = [&] { 
+      return arguments_text(std::array{"normal", "shear"}, std::array{traction.normal, traction.shear});
+    };
     call(L, 1, place, "criterion", given);
     const bool number = lua_type(L, -1) == LUA_TNUMBER && !std::isnan(lua_tonumber(L, -1));
     const double used = lua_tonumber(L, -1);
@@ -88,12 +76,12 @@ ReductionLaw reduction_of(const LuaFunction& law, const Place& place) {
   return [=](const Strength& intact, const JointWear& wear) {
     lua_State* L = law.state();
     const auto given = [&] {
-      return numbers({{"slip", wear.slip}, {"opening", wear.opening}, {"normal", wear.normal}});
+      return arguments_text(std::array{"slip", "opening", "normal"}, std::array{wear.slip, wear.opening, wear.normal});
     };
     luaL_checkstack(L, 8, "a law");
     law.push();
     arguments.push();
-    Arguments::set(L, intact);
+    set_strength(L, intact);
     lua_pushnumber(L, wear.slip);
     lua_pushnumber(L, wear.opening);
     lua_pushnumber(L, wear.normal);
@@ -103,7 +91,7 @@ ReductionLaw reduction_of(const LuaFunction& law, const Place& place) {
       lua_getfield(L, -1, name);
       const double value = lua_isnil(L, -1) ? missing : lua_tonumber(L, -1);
       if (!(lua_isnil(L, -1) || lua_type(L, -1) == LUA_TNUMBER) || !(value >= 0) || value > most * (1 + 1e-12))
-        fail(place, "reduction", given(), std::string("expected a ") + name + " from 0 to " + numbers({{"the intact one", most}}) +
+        fail(place, "reduction", given(), std::string("expected a ") + name + " from 0 to " + "the intact one = " + number_text(most) +
                                             ", got " + describe(L, -1));
       lua_pop(L, 1);
       return value;

@@ -4,25 +4,11 @@
 #include <array>
 
 #include "fracture/cracks.h"
+#include "script/lua_fields.h"
 #include "step/step.h"
 
 namespace talus {
 namespace {
-
-void set(lua_State* L, const char* name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
-void set(lua_State* L, const char* name, const char* word) {
-  lua_pushstring(L, word);
-  lua_setfield(L, -2, name);
-}
-
-void set_id(lua_State* L, const char* name, int id) {
-  lua_pushinteger(L, id);
-  lua_setfield(L, -2, name);
-}
 
 Vec2 middle(const Model& model, const Joint& joint) {
   return model.place(joint.a, (joint.in_a[0] + joint.in_a[1]) / 2) + model.origin;
@@ -38,16 +24,16 @@ int push_fractures(lua_State* L, const Simulation& simulation) {
     const Joint& joint = model.joints[failed[k]];
     const Vec2 at = middle(model, joint);
     lua_createtable(L, 0, 10);
-    set_id(L, "joint", failed[k] + 1);
-    set(L, "mode", failure_word(joint.mode));
-    set(L, "kind", crack_word(joint.crack));
-    set(L, "x", at.x());
-    set(L, "y", at.y());
-    set(L, "length", joint.length);
-    set(L, "time", joint.failed_at);
-    set(L, "normal", joint.failed_with.normal);
-    set(L, "shear", joint.failed_with.shear);
-    set(L, "utilisation", joint.utilisation);
+    set_integer(L, "joint", failed[k] + 1);
+    set_text(L, "mode", failure_word(joint.mode));
+    set_text(L, "kind", crack_word(joint.crack));
+    set_number(L, "x", at.x());
+    set_number(L, "y", at.y());
+    set_number(L, "length", joint.length);
+    set_number(L, "time", joint.failed_at);
+    set_number(L, "normal", joint.failed_with.normal);
+    set_number(L, "shear", joint.failed_with.shear);
+    set_number(L, "utilisation", joint.utilisation);
     lua_rawseti(L, -2, lua_Integer(k + 1));
   }
   return 1;
@@ -75,14 +61,14 @@ void push_cracks(lua_State* L, const Model& model) {
       lua_rawseti(L, -2, lua_Integer(k + 1));
     }
     lua_setfield(L, -2, "joints");
-    set(L, "length", length[0] + length[1]);
-    set(L, "tension", length[0]);
-    set(L, "shear", length[1]);
+    set_number(L, "length", length[0] + length[1]);
+    set_number(L, "tension", length[0]);
+    set_number(L, "shear", length[1]);
     lua_rawseti(L, -2, lua_Integer(c + 1));
     for (int mode : {0, 1}) all[mode] += length[mode];
   }
-  set(L, "tension", all[0]);
-  set(L, "shear", all[1]);
+  set_number(L, "tension", all[0]);
+  set_number(L, "shear", all[1]);
 }
 
 void push_fragments(lua_State* L, const Model& model) {
@@ -90,14 +76,14 @@ void push_fragments(lua_State* L, const Model& model) {
   lua_createtable(L, int(found.size()), 0);
   for (size_t f = 0; f < found.size(); ++f) {
     lua_createtable(L, 0, 8);
-    set_id(L, "blocks", found[f].blocks);
-    set(L, "area", found[f].area);
-    set(L, "mass", found[f].mass);
-    set(L, "size", found[f].size());
-    set(L, "x", found[f].centroid.x() + model.origin.x());
-    set(L, "y", found[f].centroid.y() + model.origin.y());
-    set(L, "vx", found[f].velocity.x());
-    set(L, "vy", found[f].velocity.y());
+    set_integer(L, "blocks", found[f].blocks);
+    set_number(L, "area", found[f].area);
+    set_number(L, "mass", found[f].mass);
+    set_number(L, "size", found[f].size());
+    set_number(L, "x", found[f].centroid.x() + model.origin.x());
+    set_number(L, "y", found[f].centroid.y() + model.origin.y());
+    set_number(L, "vx", found[f].velocity.x());
+    set_number(L, "vy", found[f].velocity.y());
     lua_rawseti(L, -2, lua_Integer(f + 1));
   }
 }

@@ -3,19 +3,10 @@
 #include <algorithm>
 
 #include "gas/gas.h"
+#include "script/lua_fields.h"
 
 namespace talus {
 namespace {
-
-void set(lua_State* L, const char* name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
-void set(lua_State* L, const char* name, const std::string& word) {
-  lua_pushlstring(L, word.data(), word.size());
-  lua_setfield(L, -2, name);
-}
 
 const std::string& charge_of(const Simulation& simulation, int chamber) {
   return simulation.model.scene.charges[simulation.model.hole_walls[chamber].charge].name;
@@ -29,12 +20,12 @@ int push_gas_events(lua_State* L, const Simulation& simulation) {
   for (size_t k = 0; k < events.size(); ++k) {
     const GasEvent& e = events[k];
     lua_createtable(L, 0, 6);
-    set(L, "kind", e.kind == GasEventKind::detonation ? "detonation" : e.kind == GasEventKind::venting ? "venting" : "merging");
-    set(L, "charge", charge_of(simulation, e.chamber));
-    if (e.other >= 0) set(L, "other", charge_of(simulation, e.other));
-    set(L, "time", e.time);
-    set(L, "volume", e.volume);
-    set(L, "pressure", e.pressure);
+    set_text(L, "kind", e.kind == GasEventKind::detonation ? "detonation" : e.kind == GasEventKind::venting ? "venting" : "merging");
+    set_text(L, "charge", charge_of(simulation, e.chamber));
+    if (e.other >= 0) set_text(L, "other", charge_of(simulation, e.other));
+    set_number(L, "time", e.time);
+    set_number(L, "volume", e.volume);
+    set_number(L, "pressure", e.pressure);
     lua_rawseti(L, -2, lua_Integer(k + 1));
   }
   return 1;
@@ -55,17 +46,17 @@ void push_charges(lua_State* L, const Simulation& simulation) {
     const Chamber& chamber = gas->chambers()[holder];
     const int charge = simulation.model.hole_walls[k].charge;
     lua_createtable(L, 0, 10);
-    set(L, "name", simulation.model.scene.charges[charge].name);
-    set(L, "state", states[int(chamber.state)]);
+    set_text(L, "name", simulation.model.scene.charges[charge].name);
+    set_text(L, "state", states[int(chamber.state)]);
     lua_pushboolean(L, chamber.state == Chamber::State::vented);
     lua_setfield(L, -2, "vented");
-    set(L, "vented_at", chamber.vented_at);
-    set(L, "volume", chamber.volume);
-    set(L, "first_volume", gas->first_volume(charge));
-    set(L, "pressure", chamber.pressure);
-    set(L, "front", std::max(simulation.model.hole_walls[k].radius, chamber.front));
-    set(L, "work", chamber.work);
-    set(L, "joined", chamber.joined);
+    set_number(L, "vented_at", chamber.vented_at);
+    set_number(L, "volume", chamber.volume);
+    set_number(L, "first_volume", gas->first_volume(charge));
+    set_number(L, "pressure", chamber.pressure);
+    set_number(L, "front", std::max(simulation.model.hole_walls[k].radius, chamber.front));
+    set_number(L, "work", chamber.work);
+    set_number(L, "joined", chamber.joined);
     lua_pushvalue(L, -1);
     lua_setfield(L, -3, simulation.model.scene.charges[charge].name.c_str());
     lua_rawseti(L, -2, lua_Integer(k + 1));

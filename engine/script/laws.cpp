@@ -8,13 +8,6 @@
 namespace talus {
 namespace {
 
-std::string number_text(double value) {
-  if (std::isnan(value)) return "nan";  // printf may write "-nan"
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
-}
-
 std::string table_text(lua_State* L, int index) {
   if (const lua_Unsigned length = lua_rawlen(L, index); length > 0) return "a list of " + std::to_string(length);
   lua_pushvalue(L, index);
@@ -31,6 +24,15 @@ lua_State* main_thread(lua_State* L) {
   return main;
 }
 
+}  // namespace
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "nan";  // printf may write "-nan"
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
 std::string arguments_text(std::span<const char* const> names, std::span<const double> arguments) {
   std::string text = "at ";
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -38,8 +40,6 @@ std::string arguments_text(std::span<const char* const> names, std::span<const d
   }
   return text;
 }
-
-}  // namespace
 
 LuaFunction::LuaFunction(lua_State* L, int index) : L_(main_thread(L)) {
   lua_pushvalue(L, index);

@@ -26,6 +26,10 @@ class LuaFunction {
 // How a message shows a value: 35, "35", nothing, a function, a table, a talus.material.
 std::string describe(lua_State* L, int index);
 
+std::string number_text(double value);  // as messages show it
+// "at t = 0.5, x = 2"
+std::string arguments_text(std::span<const char* const> names, std::span<const double> arguments);
+
 // A finite number, or in words what went wrong ("at t = 0.5: expected a finite number, got nothing").
 struct LawResult {
   double value = 0;

@@ -9,6 +9,7 @@
 #include "script/saved_view.h"
 #include "script/fracture_view.h"
 #include "script/gas_view.h"
+#include "script/lua_fields.h"
 #include "script/session.h"
 #include "script/table_view.h"
 #include "step/energy_terms.h"
@@ -29,16 +30,6 @@ using Handle = std::shared_ptr<Run>;
 
 Handle& check_handle(lua_State* L, int index) {
   return *static_cast<Handle*>(luaL_checkudata(L, index, metatable));
-}
-
-void set_number(lua_State* L, const char* key, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, key);
-}
-
-void set_integer(lua_State* L, const char* key, lua_Integer value) {
-  lua_pushinteger(L, value);
-  lua_setfield(L, -2, key);
 }
 
 void push_status(lua_State* L, const StepReport& report) {

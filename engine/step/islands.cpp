@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "model/disjoint_sets.h"
+
 namespace talus {
 
 std::vector<char> bonded_blocks(const Model& model) {
@@ -49,25 +51,18 @@ void Islands::find(const Model& model, const ContactTerms& contacts, const std::
 
 // Numbers the islands in the order of their first blocks; how many there are.
 int Islands::join(const Model& model, const ContactTerms& contacts) {
-  std::vector<int> parent(model.shapes.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int b) {
-    while (parent[b] != b) b = parent[b] = parent[parent[b]];
-    return b;
-  };
+  DisjointSets sets(model.shapes.size());
   const auto tie = [&](int a, int b) {
-    if (model.shapes[a].dofs == 0 || model.shapes[b].dofs == 0) return;
-    const auto [low, high] = std::minmax({root(a), root(b)});  // a root is the lowest of its island
-    parent[high] = low;
+    if (model.shapes[a].dofs > 0 && model.shapes[b].dofs > 0) sets.join(a, b);
   };
   for (const Joint& joint : model.joints)
     if (ties(joint) && !model.sleeps(joint.a)) tie(joint.a, joint.b);
   for (const ContactRows& row : contacts.rows())
     if (row.near) tie(row.i, row.j);
-  of_.assign(parent.size(), -1);
+  of_.assign(model.shapes.size(), -1);
   int count = 0;
-  for (int b = 0; b < int(parent.size()); ++b)
-    if (model.shapes[b].dofs > 0 && !model.sleeps(b)) of_[b] = root(b) == b ? count++ : of_[root(b)];
+  for (int b = 0; b < int(of_.size()); ++b)
+    if (model.shapes[b].dofs > 0 && !model.sleeps(b)) of_[b] = sets.root(b) == b ? count++ : of_[sets.root(b)];
   return count;
 }
 

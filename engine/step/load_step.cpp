@@ -2,9 +2,7 @@
 // held until nothing more breaks.
 #include <algorithm>
 
-#include "model/registry.h"
-#include "model/saved_state.h"
-#include "step/part_timer.h"
+#include "step/restored.h"
 #include "step/step.h"
 
 namespace talus {
@@ -12,28 +10,6 @@ namespace talus {
 namespace {
 
 constexpr double least_increment = 1e-6;  // part of t_end
-
-// The model as it was, unless keep() is called.
-class Restored {
- public:
-  explicit Restored(Model& model) : model_(model) { visit_state(model_, before_); }
-  ~Restored() {
-    if (!kept_) back();
-  }
-  Restored(const Restored&) = delete;
-  Restored& operator=(const Restored&) = delete;
-  void keep() { kept_ = true; }
-  void back() {
-    StateReader reader(before_.bytes);
-    visit_state(model_, reader);
-    model_.place_vertices();
-  }
-
- private:
-  Model& model_;
-  StateWriter before_;
-  bool kept_ = false;
-};
 
 // What bonds that fail under a held load give off while the rock moves to its new equilibrium: half of the derivative of
 // their vanished potential along the way it goes, of ∫ {σ}n · g + ½ k g² the tractions along the jumps that follow (the

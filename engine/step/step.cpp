@@ -9,10 +9,9 @@
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
 #include "equations/viscous_terms.h"
-#include "model/registry.h"
-#include "model/saved_state.h"
 #include "step/damping.h"
 #include "step/part_timer.h"
+#include "step/restored.h"
 #include "step/update.h"
 
 namespace talus {
@@ -204,13 +203,10 @@ StepReport Stepper::dynamic_step() {
 std::string Stepper::settle() {
   Equilibrium stuck, released;
   const auto settles = [&](bool stick, double hold, int iterations, Equilibrium& search) {
-    StateWriter before;
-    talus::visit_state(model_, before);
-    if (find_equilibrium(stick, hold, iterations, search)) return true;
-    StateReader back(before.bytes);
-    talus::visit_state(model_, back);
-    model_.place_vertices();
-    return false;
+    Restored attempt(model_);
+    const bool found = find_equilibrium(stick, hold, iterations, search);
+    if (found) attempt.keep();
+    return found;
   };
   if (!settles(true, 0, equilibrium_iterations, stuck)) {
     if (stuck.last.singular_block >= 0) give_up(stuck.last, 0);
@@ -229,7 +225,6 @@ void Stepper::visit_state(StateVisitor& visitor) {
   visitor("step_size", step_size_);
   visitor("contact_search", search_);
   visitor("sleep", sleep_);
-  visitor("load_increment", load_increment_);
   if (gas_) visitor("gas", *gas_);
 }
 
@@ -279,14 +274,16 @@ bool Stepper::breaks(std::vector<BlockState>& moved, double dt, StepReport& repo
 
 // What bonds that have failed in this step stored at its start, less what the contacts that take over begin with.
 double Stepper::released_energy() const {
-  double sum = 0;
-  for (const int j : fracture_->events()) sum += joints_.energy_of(model_, j, ledger_.ahead);
-  if (sum == 0) return 0;
   const auto& events = fracture_->events();
+  if (events.empty()) return 0;
+  double sum = 0;
+  std::vector<char> fails(model_.joints.size(), 0);
+  for (const int j : events) {
+    sum += joints_.energy_of(model_, j, ledger_.ahead) - bridge_energy(model_.joints[j]);
+    fails[j] = 1;
+  }
   for (const Contact& c : model_.contacts)
-    if (c.joint >= 0 && std::find(events.begin(), events.end(), c.joint) != events.end())
-      sum -= contact_energy(c);
-  for (const int j : events) sum -= bridge_energy(model_.joints[j]);
+    if (c.joint >= 0 && fails[c.joint]) sum -= contact_energy(c);
   return sum;
 }
 

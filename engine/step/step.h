@@ -99,7 +99,6 @@ class Stepper {
   std::vector<double> nearness_;  // of contacts, per block; empty: 1 (ContactTerms::linearise)
   std::unique_ptr<Gas> gas_;            // where there are charges
   std::unique_ptr<Fracture> fracture_;  // where bonds can fail
-  double load_increment_ = 0;           // s, of the next load step; 0: all of it
   std::string collapse_;
   long revision_ = -1;
 };

@@ -1,5 +1,7 @@
 -- What a joint says of its failure: checks, trials of the functions it gives, and its flat form for the engine.
 local native = require "talus.native"
+local trial = require "talus.trial"
+local finite = trial.finite
 
 local laws = {}
 local object  -- requires the rules, and so this file
@@ -47,18 +49,6 @@ function laws.check_residual(values, residual, path, bad)
   end
 end
 
-local function finite(value)
-  return math.type(value) and value == value and value > -math.huge and value < math.huge
-end
-
--- The law is called twice alike: one that answers differently depends on something else than its arguments.
-local function tried(law, field, given, bad, ...)
-  local worked, first = pcall(law, ...)
-  if not worked then bad(field, "a function that works " .. given, tostring(first)) end
-  local _, second = pcall(law, ...)
-  return first, second
-end
-
 function laws.try_criterion(values, bad)
   if not values.criterion then return end
   local intact = strength(values)
@@ -66,7 +56,7 @@ function laws.try_criterion(values, bad)
     local given = ("at normal = %g, shear = %g"):format(load[1], load[2])
     local t = { normal = load[1], shear = load[2], tension = intact.tension, cohesion = intact.cohesion,
                 friction = intact.friction }
-    local first, second = tried(values.criterion, "criterion", given, bad, t)
+    local first, second = trial.twice(values.criterion, "criterion", given, bad, t)
     if not math.type(first) or first ~= first then
       bad("criterion", "a number (how far the strength is used) " .. given, native.describe(first))
     end
@@ -81,7 +71,7 @@ function laws.try_reduction(values, bad)
   if type(values.reduction) ~= "function" then return end
   for _, way in ipairs { { 0, 0 }, { 1e-3, 0 }, { 0, 1e-3 } } do
     local given = ("at slip = %g, opening = %g, normal = 0"):format(way[1], way[2])
-    local first, second = tried(values.reduction, "reduction", given, bad, strength(values), way[1], way[2], 0)
+    local first, second = trial.twice(values.reduction, "reduction", given, bad, strength(values), way[1], way[2], 0)
     if type(first) ~= "table" then
       bad("reduction", "a table { friction, cohesion, tension } " .. given, native.describe(first))
     end

@@ -2,6 +2,8 @@
 local native = require "talus.native"
 local object = require "talus.object"
 local places = require "talus.places"
+local trial = require "talus.trial"
+local finite = trial.finite
 local get, given = object.get, object.given
 
 local gas = {}
@@ -13,16 +15,10 @@ gas.explosives = {
   emulsion = { density = 1245, A = 214.4e9, B = 0.182e9, R1 = 4.2, R2 = 0.9, omega = 0.15, E = 4.19e9 },
 }
 
-local function finite(value)
-  return math.type(value) and value == value and value > -math.huge and value < math.huge
-end
-
 local function try(law, argument, given_text, bad, field, check)
-  local worked, answer = pcall(law, argument)
-  if not worked then bad(field, "a function that works " .. given_text, tostring(answer)) end
+  local answer, again = trial.twice(law, field, given_text, bad, argument)
   local problem = check(answer)
   if problem then bad(field, problem .. " " .. given_text, native.describe(answer)) end
-  local _, again = pcall(law, argument)
   if again ~= answer then bad(field, "the same answer to the same question " .. given_text, "another the second time") end
   return answer
 end

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <tuple>
 #include <vector>
 
@@ -11,6 +13,21 @@
 #include "geometry/tessellation.h"
 
 namespace talus::test {
+
+constexpr long plenty = 100000;  // cells
+
+inline std::function<double(Vec2)> uniform(double size) {
+  return [size](Vec2) { return size; };
+}
+
+inline Polyline polygon_of_circle(const Vec2& at, double radius, int sides) {
+  Polyline points;
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2 * std::numbers::pi * k / sides;
+    points.push_back(at + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return points;
+}
 
 inline Polyline cell_outline(const Tessellation& t, std::size_t cell) {
   Polyline outline;

@@ -14,21 +14,10 @@ namespace {
 
 using test::cell_outline;
 using test::expect_tessellation;
+using test::plenty;
+using test::polygon_of_circle;
 using test::rectangle;
-
-constexpr long plenty = 100000;
-std::function<double(Vec2)> uniform(double size) {
-  return [size](Vec2) { return size; };
-}
-
-Polyline polygon_of_circle(const Vec2& at, double radius, int sides) {
-  Polyline points;
-  for (int k = 0; k < sides; ++k) {
-    const double angle = 2 * std::numbers::pi * k / sides;
-    points.push_back(at + radius * Vec2(std::cos(angle), std::sin(angle)));
-  }
-  return points;
-}
+using test::uniform;
 
 double least_angle(const Tessellation& t) {
   double least = std::numbers::pi;
