@@ -60,12 +60,18 @@ std::vector<int> find_fragments(const Model& model) {
 double Fragment::size() const { return std::sqrt(4 * area / std::numbers::pi); }
 
 std::vector<Fragment> fragments(const Model& model) {
+  const std::vector<int> fragment = model.fragment.empty() ? find_fragments(model) : model.fragment;
   std::vector<Fragment> found;
-  for (std::size_t b = 0; b < model.fragment.size(); ++b) {
-    if (model.fragment[b] >= int(found.size())) found.resize(model.fragment[b] + 1);
-    Fragment& f = found[model.fragment[b]];
+  for (std::size_t b = 0; b < fragment.size(); ++b) {
+    if (fragment[b] >= int(found.size())) {
+      found.resize(fragment[b] + 1);
+      found.back().first = int(b);
+    }
+    Fragment& f = found[fragment[b]];
     const double mass = model.mass(int(b));
     ++f.blocks;
+    f.held = f.held || model.shapes[b].dofs == 0;
+    f.shift += mass * model.blocks[b].shift;
     f.area += model.area(int(b));
     f.mass += mass;
     f.centroid += mass * model.blocks[b].centroid;
@@ -73,8 +79,12 @@ std::vector<Fragment> fragments(const Model& model) {
   }
   for (Fragment& f : found) {
     f.centroid /= f.mass;
+    f.shift /= f.mass;
     f.velocity /= f.mass;
   }
+  for (const PointFixity& point : model.point_fixities) found[fragment[point.block]].held = true;
+  for (const EdgeFixity& edge : model.edge_fixities) found[fragment[edge.block]].held = true;
+  for (const ViscousEdge& edge : model.viscous_edges) found[fragment[edge.block]].held = true;
   return found;
 }
 

@@ -20,12 +20,13 @@ CrackKind crack_kind(const std::vector<int>& crack_at_node, const Joint& joint);
 std::vector<int> find_fragments(const Model& model);
 
 struct Fragment {
-  int blocks = 0;
+  int blocks = 0, first = 0;  // how many; the first of them
+  bool held = false;          // a held block, or one at a support or a viscous edge, is among them
   double area = 0, mass = 0;  // m2, kg/m
-  Vec2 centroid = Vec2::Zero(), velocity = Vec2::Zero();  // m, m/s, of its mass
+  Vec2 centroid = Vec2::Zero(), shift = Vec2::Zero(), velocity = Vec2::Zero();  // m, m since the start, m/s, of its mass
   double size() const;        // m, diameter of the disc of its area
 };
-std::vector<Fragment> fragments(const Model& model);  // of Model::fragment
+std::vector<Fragment> fragments(const Model& model);
 
 struct CrackLengths {
   double tension = 0, shear = 0;  // m, of bonds that failed

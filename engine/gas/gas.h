@@ -57,6 +57,7 @@ class Gas {
   const Reach& reach(int chamber) const { return reach_[chamber]; }
   const std::vector<GasEvent>& events() const { return events_; }  // of the last step
   double first_volume(int charge) const { return first_volume_[charge]; }
+  int chamber_of(int wall) const;  // that holds the gas of this hole now
   void visit_state(StateVisitor& visitor);
   void restored();
 
@@ -64,7 +65,6 @@ class Gas {
   double law_pressure(const Chamber& chamber, double volume) const;
   double mean_pressure(const Chamber& chamber, double volume) const;  // over the way from the present volume
   double law_work(const Chamber& chamber, double from, double to) const;
-  int chamber_of(int wall) const;
   void find_reach(int chamber);
   void spread(int chamber);
   bool meet(int a, int b) const;

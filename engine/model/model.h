@@ -182,6 +182,12 @@ struct GasFace {  // part of a block's edge under gas, in this step
 struct ProbePoint {
   int probe = 0, block = 0;
   Vec2 in_block = Vec2::Zero();
+  double peak_speed = 0, peak_at = 0;  // m/s, highest of the motion so far; s, when
+};
+
+struct Flight {  // the highest that a block has risen so far in motion
+  int block = -1;
+  double rise = 0, at = 0;  // m, of its centroid above its place at the start; s
 };
 
 // A node of the meshes: the corner that several bonded blocks share at the start. For stress recovery.
@@ -221,6 +227,7 @@ class Model {
   std::vector<GasFace> gas_faces;
   std::vector<double> gas_pressure;  // Pa, mean over the step, per chamber
   std::vector<ProbePoint> probes;
+  Flight highest;
   Nodes nodes;
   std::vector<int> fragment;  // per block: which connected set of intact joints it belongs to; empty where none can break
   std::vector<int> held_by;  // per block: index of the fixity that holds it wholly, or -1

@@ -10,6 +10,8 @@ void visit_state(Model& model, StateVisitor& v) {
   v.growing("asleep", model.asleep);
   v("sleeping_contacts", model.sleeping_contacts);
   v("viscous_edges", model.viscous_edges);
+  v("probes", model.probes);
+  v("highest", model.highest);
   visit_values(model.scene, v);
   v.constant("origin", model.origin);
   v.constant("extent", model.extent);
@@ -215,6 +217,22 @@ void visit_state(PointForce& point, StateVisitor& v) {
   v("block", block);
   v("in_block", in_block);
   v("share", share);
+}
+
+void visit_state(ProbePoint& point, StateVisitor& v) {
+  auto& [probe, block, in_block, peak_speed, peak_at] = point;
+  v.constant("probe", probe);
+  v.constant("block", block);
+  v.constant("in_block", in_block);
+  v("peak_speed", peak_speed);
+  v("peak_at", peak_at);
+}
+
+void visit_state(Flight& flight, StateVisitor& v) {
+  auto& [block, rise, at] = flight;
+  v("block", block);
+  v("rise", rise);
+  v("at", at);
 }
 
 void visit_state(EdgeForce& edge, StateVisitor& v) {

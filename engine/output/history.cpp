@@ -10,11 +10,12 @@
 #include <string_view>
 
 #include "fracture/cracks.h"
+#include "gas/gas.h"
 #include "model/fields.h"
+#include "output/curves.h"
 #include "output/output.h"
 #include "output/text.h"
 #include "step/energy_terms.h"
-#include "step/step.h"
 
 namespace talus {
 
@@ -22,8 +23,7 @@ namespace {
 
 constexpr std::array probe_columns = {"ux", "uy", "vx", "vy", "sxx", "syy", "sxy"};
 
-// Supports that move: the load of a load–displacement curve.
-std::vector<std::string> reaction_names(const Model& model, const Plan& plan) {
+std::vector<std::string> moving_names(const Model& model, const Plan& plan) {
   std::vector<std::string> names;
   if (!plan.moving_supports) return names;
   for (const Fixity& fixity : model.scene.fixities)
@@ -41,8 +41,8 @@ std::string header(const Model& model, const Plan& plan) {
     for (const HoleWall& wall : model.hole_walls)
       for (const char* what : {".volume [m3/m]", ".pressure [Pa]"})
         line += "," + csv_cell(model.scene.charges[wall.charge].name + what);
-  for (const std::string& name : reaction_names(model, plan))
-    for (const char* axis : {".reaction_x [N/m]", ".reaction_y [N/m]"}) line += "," + csv_cell(name + axis);
+  for (const std::string& name : moving_names(model, plan))
+    for (const char* axis : {".ux [m]", ".uy [m]", ".reaction_x [N/m]", ".reaction_y [N/m]"}) line += "," + csv_cell(name + axis);
   for (const ProbePoint& probe : model.probes)
     for (const char* column : probe_columns) {
       const Field& field = *find_field(probe_fields(), column);
@@ -126,18 +126,13 @@ void HistoryTable::add(Simulation& simulation, double residual, const std::vecto
             std::to_string(fragments);
   }
   if (simulation.plan.gas)
-    for (const Chamber& chamber : simulation.gas()->chambers())
+    for (size_t wall = 0; wall < model.hole_walls.size(); ++wall) {
+      const Chamber& chamber = simulation.gas()->chambers()[simulation.gas()->chamber_of(int(wall))];
       line += "," + shortest(chamber.volume) + "," + shortest(chamber.pressure);
-  const auto names = reaction_names(model, simulation.plan);
-  if (!names.empty()) {
-    const std::vector<Vec2> reactions = simulation.stepper().reactions();
-    for (const std::string& name : names) {
-      Vec2 sum = Vec2::Zero();
-      for (size_t f = 0; f < reactions.size(); ++f)
-        if (model.scene.fixities[f].name == name) sum += reactions[f];
-      line += "," + shortest(sum.x()) + "," + shortest(sum.y());
     }
-  }
+  for (const MovingSupport& support : moving_supports(simulation))
+    for (const Vec2& pair : {support.shift, support.reaction})
+      line += "," + shortest(pair.x()) + "," + shortest(pair.y());
   for (int probe = 0; probe < static_cast<int>(model.probes.size()); ++probe)
     for (const char* column : probe_columns) {
       double value = 0;

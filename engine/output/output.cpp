@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "output/clock.h"
-#include "output/energy_plot.h"
+#include "output/curves.h"
 #include "output/files.h"
 #include "output/history.h"
 #include "output/picture_field.h"
@@ -23,7 +23,7 @@ struct RunOutput::Parts {
   double started = wall_seconds();
   std::optional<PvdSeries> blocks, joints, cracks;
   std::optional<HistoryTable> history;
-  EnergyRecord energies;
+  Curves curves;
   int frames = 0;
   long frame_step = -1, row_step = -1;  // step of the last frame and of the last row of the history
   double next = 0;                      // s, output time that is due next
@@ -61,7 +61,7 @@ void RunOutput::Parts::write_frame(Simulation& simulation) {
   }
   if (cracks) {
     const std::string name = frame_name("cracks", frames, ".vtp");
-    write_cracks_vtp(dir + "/" + name, model);
+    write_cracks_vtp(dir + "/" + name, model, simulation.gas());
     cracks->add(model.time, name);
   }
   if (output.picture) {
@@ -107,7 +107,7 @@ RunOutput::RunOutput(Simulation& simulation, const std::string& command_line, bo
   if (!scene.output.vtk) return;
   parts_->blocks.emplace(parts_->dir, "blocks");
   if (simulation.plan.bonds || simulation.plan.contacts) parts_->joints.emplace(parts_->dir, "joints");
-  if (simulation.plan.fracture) parts_->cracks.emplace(parts_->dir, "cracks");
+  if (simulation.plan.fracture || simulation.plan.gas) parts_->cracks.emplace(parts_->dir, "cracks");
   if (!resumed) return;
   for (std::optional<PvdSeries>* series : {&parts_->blocks, &parts_->joints, &parts_->cracks})
     if (*series) (*series)->read_back();
@@ -119,7 +119,7 @@ void RunOutput::Parts::visit_state(StateVisitor& visitor) {
   visitor("row_step", row_step);
   visitor("next", next);
   visitor("residual", residual);
-  visitor("energies", energies);
+  visitor("curves", curves);
 }
 
 void RunOutput::visit_state(StateVisitor& visitor) {
@@ -151,7 +151,7 @@ void RunOutput::after_step(Simulation& simulation) {
   const double every = scene.output.every, time = simulation.model.time;
   const bool first = parts_->frame_step < 0;
   if (!first) parts_->residual = std::max(parts_->residual, simulation.last.residual);
-  if (scene.output.picture) parts_->energies.after_step(simulation);
+  if (scene.output.picture) parts_->curves.after_step(simulation);
   // A step that ends at 0.3 may find itself at 0.29999999999999999.
   const double slack = 1e-9 * every;
   if (first || (every > 0 && time >= parts_->next - slack)) {
@@ -174,10 +174,7 @@ void RunOutput::finish(Simulation& simulation, const std::string& outcome, const
   {
     const Booked booked(simulation.totals);
     parts_->write_frame(simulation);
-    if (simulation.model.scene.output.picture) {
-      parts_->energies.last(simulation);
-      write_whole(parts_->dir + "/energy.svg", parts_->energies.draw(simulation.plan));
-    }
+    if (simulation.model.scene.output.picture) parts_->curves.write(simulation, parts_->dir);
   }
   const RunAccount account = {.command_line = parts_->command_line,
                               .outcome = outcome,

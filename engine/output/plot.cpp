@@ -44,6 +44,19 @@ Span padded(const std::vector<const std::vector<double>*>& columns, bool log, do
   return {span.low - room, span.high + room};
 }
 
+// One scale for both axes: the frame gets as low as the values are flat, or their range wider than they need.
+void make_equal(Frame& frame) {
+  const double lowest = frame.width / 5, wanted = frame.width * frame.y.length() / frame.x.length();
+  const double height = std::clamp(wanted, lowest, std::max(lowest, frame.height));
+  if (wanted > height) {
+    const double room = (frame.width * frame.y.length() / height - frame.x.length()) / 2;
+    frame.x = {frame.x.low - room, frame.x.high + room};
+  } else {
+    frame.y.high = frame.y.low + frame.x.length() * height / frame.width;
+  }
+  frame.height = height;
+}
+
 double largest_of(const Span& span) {
   return std::max(std::abs(span.low), std::abs(span.high));
 }
@@ -67,7 +80,7 @@ int draw_legend(Svg& svg, const Plot& plot, double left, double right, double to
     }
     const double y = top + legend_line * (rows - 0.5);
     const Vec2 ends[] = {{x, y}, {x + sample, y}};
-    svg.polyline(ends, false, line_style(series, i));
+    if (series.line) svg.polyline(ends, false, line_style(series, i));
     if (series.markers) svg.circle({x + sample / 2, y}, 3.5, "fill=\"" + std::string(colour_of(i)) + "\"");
     svg.text({x + sample + 8, y + 0.36 * legend_size}, series.name, {.size = legend_size});
     x += wide;
@@ -78,7 +91,7 @@ int draw_legend(Svg& svg, const Plot& plot, double left, double right, double to
 void draw_series(Svg& svg, const Frame& frame, const Series& series, std::size_t index) {
   std::vector<Vec2> run;
   const auto finish = [&] {
-    if (run.size() > 1) svg.polyline(run, false, line_style(series, index));
+    if (series.line && run.size() > 1) svg.polyline(run, false, line_style(series, index));
     run.clear();
   };
   for (std::size_t k = 0; k < std::min(series.x.size(), series.y.size()); ++k) {
@@ -116,9 +129,10 @@ std::string draw_plot(const Plot& plot) {
   const int rows = draw_legend(svg, plot, frame.left, plot.width - 10., title);
   frame.top = title + legend_line * rows + 8;
   frame.height = plot.height - frame.top - 52;
+  if (plot.equal) make_equal(frame);
   draw_axes(svg, frame, {.x = plot.x_label, .y = plot.y_label, .x_unit = x_unit, .y_unit = y_unit, .grid = true});
   for (std::size_t i = 0; i < plot.series.size(); ++i) draw_series(svg, frame, plot.series[i], i);
-  return svg.file(plot.width, plot.height);
+  return svg.file(plot.width, frame.top + frame.height + 52);
 }
 
 }  // namespace talus

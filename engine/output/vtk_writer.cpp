@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 
+#include "gas/gas.h"
 #include "output/files.h"
 #include "scene/error.h"
 
@@ -273,7 +274,27 @@ void write_joints_vtp(const std::string& path, const Model& model) {
   write(path, data);
 }
 
-void write_cracks_vtp(const std::string& path, const Model& model) {
+namespace {
+
+struct GasInJoint {
+  double part = 0, pressure = 0;  // of its length that the gas has entered; Pa
+};
+
+std::vector<GasInJoint> gas_in_joints(const Model& model, const Gas& gas) {
+  std::vector<GasInJoint> in(model.joints.size());
+  for (size_t c = 0; c < gas.chambers().size(); ++c) {
+    if (gas.chambers()[c].state == Chamber::State::merged) continue;
+    for (const ReachedJoint& r : gas.reach(int(c)).joints) {
+      in[r.joint].part = std::min(1.0, in[r.joint].part + r.to - r.from);
+      in[r.joint].pressure = std::max(in[r.joint].pressure, gas.chambers()[c].pressure);
+    }
+  }
+  return in;
+}
+
+}  // namespace
+
+void write_cracks_vtp(const std::string& path, const Model& model, const Gas* gas) {
   std::vector<int> failed;
   for (int id = 0; id < static_cast<int>(model.joints.size()); ++id)
     if (model.joints[id].state == JointState::failed) failed.push_back(id);
@@ -304,6 +325,11 @@ void write_cracks_vtp(const std::string& path, const Model& model) {
   for (const auto& [name, shift] : {std::pair{"id", 1}, {"block_a", 1}, {"block_b", 1}, {"mode", 0}, {"crack", 0}})
     add_array<vtkIntArray>(cells, name, 1, count, value(name, shift));
   for (const char* name : crack_arrays) add_array<vtkDoubleArray>(cells, name, 1, count, value(name, 0));
+  if (gas) {
+    const std::vector<GasInJoint> in = gas_in_joints(model, *gas);
+    add_array<vtkDoubleArray>(cells, "gas", 1, count, [&](int i, double* out) { *out = in[failed[i]].part; });
+    add_array<vtkDoubleArray>(cells, "gas_pressure", 1, count, [&](int i, double* out) { *out = in[failed[i]].pressure; });
+  }
   add_names(data->GetFieldData(), "mode_names", {"real joint", "tension", "shear"});
   add_names(data->GetFieldData(), "crack_names", {"real joint", "initiated", "propagated", "coalesced"});
   add_time(data->GetFieldData(), model.time);

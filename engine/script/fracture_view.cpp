@@ -75,13 +75,19 @@ void push_fragments(lua_State* L, const Model& model) {
   const std::vector<Fragment> found = fragments(model);
   lua_createtable(L, int(found.size()), 0);
   for (size_t f = 0; f < found.size(); ++f) {
-    lua_createtable(L, 0, 8);
+    lua_createtable(L, 0, 13);
     set_integer(L, "blocks", found[f].blocks);
+    set_integer(L, "first", found[f].first + 1);
+    set_text(L, "region", model.scene.regions[model.shapes[found[f].first].region].name);
+    lua_pushboolean(L, found[f].held);
+    lua_setfield(L, -2, "held");
     set_number(L, "area", found[f].area);
     set_number(L, "mass", found[f].mass);
     set_number(L, "size", found[f].size());
     set_number(L, "x", found[f].centroid.x() + model.origin.x());
     set_number(L, "y", found[f].centroid.y() + model.origin.y());
+    set_number(L, "ux", found[f].shift.x());
+    set_number(L, "uy", found[f].shift.y());
     set_number(L, "vx", found[f].velocity.x());
     set_number(L, "vy", found[f].velocity.y());
     lua_rawseti(L, -2, lua_Integer(f + 1));

@@ -12,6 +12,23 @@ const std::string& charge_of(const Simulation& simulation, int chamber) {
   return simulation.model.scene.charges[simulation.model.hole_walls[chamber].charge].name;
 }
 
+// .reached = { { joint, from, to }, … }, .reach: m of joints that the gas has entered.
+void push_reached(lua_State* L, const Model& model, const Reach& reach) {
+  double length = 0;
+  lua_createtable(L, int(reach.joints.size()), 0);
+  for (size_t k = 0; k < reach.joints.size(); ++k) {
+    const ReachedJoint& r = reach.joints[k];
+    length += (r.to - r.from) * model.joints[r.joint].length;
+    lua_createtable(L, 0, 3);
+    set_integer(L, "joint", r.joint + 1);
+    set_number(L, "from", r.from);
+    set_number(L, "to", r.to);
+    lua_rawseti(L, -2, lua_Integer(k + 1));
+  }
+  lua_setfield(L, -2, "reached");
+  set_number(L, "reach", length);
+}
+
 }  // namespace
 
 int push_gas_events(lua_State* L, const Simulation& simulation) {
@@ -38,14 +55,15 @@ void push_charges(lua_State* L, const Simulation& simulation) {
   if (!gas) return;
   constexpr const char* states[] = {"waiting", "pressing", "vented", "merged"};
   for (size_t k = 0; k < gas->chambers().size(); ++k) {
-    size_t holder = k;
-    for (size_t c = 0; c < gas->chambers().size(); ++c) {
-      const auto& own = gas->chambers()[c];
-      if (own.state != Chamber::State::merged && std::find(own.walls.begin(), own.walls.end(), int(k)) != own.walls.end()) holder = c;
-    }
+    const int holder = gas->chamber_of(int(k));
     const Chamber& chamber = gas->chambers()[holder];
-    const int charge = simulation.model.hole_walls[k].charge;
-    lua_createtable(L, 0, 10);
+    const HoleWall& wall = simulation.model.hole_walls[k];
+    const int charge = wall.charge;
+    lua_createtable(L, 0, 16);
+    set_number(L, "x", wall.centre.x() + simulation.model.origin.x());
+    set_number(L, "y", wall.centre.y() + simulation.model.origin.y());
+    set_number(L, "radius", wall.radius);
+    push_reached(L, simulation.model, gas->reach(holder));
     set_text(L, "name", simulation.model.scene.charges[charge].name);
     set_text(L, "state", states[int(chamber.state)]);
     lua_pushboolean(L, chamber.state == Chamber::State::vented);

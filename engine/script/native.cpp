@@ -7,6 +7,7 @@
 #include "script/laws.h"
 #include "script/lua_error.h"
 #include "script/nearest.h"
+#include "script/plot_view.h"
 #include "script/saved_view.h"
 #include "script/scene_reader.h"
 #include "script/session.h"
@@ -175,6 +176,7 @@ int load_native(lua_State* L) {
   push_simulation_methods(L);
   lua_setfield(L, -2, "methods");
   add_saving(L);
+  add_plots(L);
   return 1;
 }
 

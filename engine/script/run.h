@@ -54,6 +54,7 @@ class Run {
   const std::optional<Restart>& restart() const { return restart_; }  // that is still to come
 
   bool stepped() const { return stepped_; }
+  bool writes() const { return output_ != nullptr; }
   Phase phase() const { return phase_; }
   void add_check(const CheckLine& check) { checks_.push_back(check); }
   // Throws ScriptError(input) with `what` where the model must not be touched: inside a step.

@@ -85,6 +85,15 @@ void push_totals(lua_State* L, const Simulation& simulation) {
   lua_setfield(L, -2, "seconds");
 }
 
+// How high rock has flown; nothing where none has risen.
+void push_highest(lua_State* L, const Model& model) {
+  if (model.highest.block < 0) return lua_pushnil(L);
+  lua_createtable(L, 0, 3);
+  set_integer(L, "block", model.highest.block + 1);
+  set_number(L, "rise", model.highest.rise);
+  set_number(L, "time", model.highest.at);
+}
+
 // The properties of `sim`, beside its methods.
 struct Property {
   const char* name;
@@ -109,6 +118,7 @@ const Property properties[] = {
     {"fragments", [](lua_State* L, const Handle& r) { push_fragments(L, r->simulation.model); }},
     {"reactions", [](lua_State* L, const Handle& r) { push_reactions(L, r->simulation); }},
     {"charges", [](lua_State* L, const Handle& r) { push_charges(L, r->simulation); }},
+    {"highest", [](lua_State* L, const Handle& r) { push_highest(L, r->simulation.model); }},
     {"collapsed", [](lua_State* L, const Handle& r) { lua_pushboolean(L, r->simulation.collapsed()); }},
     {"probes", [](lua_State* L, const Handle& r) { push_table_view(L, r, ViewKind::probes); }},
 };

@@ -7,6 +7,7 @@
 #include "model/registry.h"
 #include "scene/build.h"
 #include "step/part_timer.h"
+#include "step/peaks.h"
 #include "step/step.h"
 
 namespace talus {
@@ -80,6 +81,7 @@ StepReport Simulation::step() {
   totals.largest_residual = std::max(totals.largest_residual, last.residual);
   last.step = totals.steps;
   last.time = model.time;
+  if (plan.dynamic) keep_peaks(model);
   last.closed_contacts = int(std::count_if(model.contacts.begin(), model.contacts.end(),
                                            [](const Contact& c) { return c.state != ContactState::open; }));
   for (const auto& handler : on_step) handler(*this);

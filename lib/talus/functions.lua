@@ -28,13 +28,16 @@ return {
         .. " (a block alone), by_sweeps, with_factor, asleep}, iterations, sweeps (over the contacts), cuts, factorisations, largest_iterations, largest_residual, seconds}; seconds: CPU time by part" },
     { "sim.cracks", "cracks of bonds that have failed and hang together: { {joints, length, tension, shear}, … } with the lengths of"
         .. " all in `tension` and `shear` (m)" },
-    { "sim.fragments", "what hangs together by intact bonds: { {blocks, area, mass, size, x, y, vx, vy}, … }; size: diameter of the"
-        .. " disc of its area (m)" },
+    { "sim.fragments", "what hangs together by intact bonds: { {blocks (how many), first (block), region, held (whether it is at a support"
+        .. " or viscous edge), area, mass, size, x, y, ux, uy, vx, vy}, … }; size: diameter of the disc of its area (m)" },
+    { "sim.highest", "in motion: {block, rise, time}, the highest that the centroid of any block has risen above its place at the start"
+        .. " (m, s); nil where none has" },
     { "sim.reactions.name", "{x, y} (N per metre) of the fixities of that name on what they hold" },
     { "sim.collapsed", "whether a static run has ended at a load that nothing holds" },
     { "sim.charges[1], sim.charges.name", "the chamber that holds the charge's gas: {name, state (\"waiting\", \"pressing\", \"vented\"),"
         .. " vented, vented_at (s), volume, first_volume (m3 per metre), pressure (Pa), front (m), work (J/m, by its law), joined (m3 per"
-        .. " metre, filled as it entered cracks)}" },
+        .. " metre, filled as it entered cracks), reach (m of joints that it has entered), reached ({ {joint, from, to}, … }, parts of"
+        .. " them), x, y, radius (m, of the charge's hole at the start)}" },
     { "sim:material(name), sim:joint(name), sim:fix(name), sim:load(name), sim:region(name)",
       "the object as the script made it, by name or number: `sim:load(\"push\").force = {0, -2e3}`" },
     { "sim.blocks[7].sxx", "a field of one block (or joint, contact, probe), numbered from 1" },
@@ -45,6 +48,18 @@ return {
     { "sim.blocks:where { region = \"beam\" }", "a list of those whose fields equal the given values" },
     { "sim.probes.tip.uy", "probes by name" },
     { "block.velocity = {vx, vy}, block.spin = w", "sets a block's velocity (m/s) and spin (rad/s)" },
+  },
+  {
+    title = "After a run",
+    doc = "Their options are in the tables above; each also has `file`, the name of a table and a picture in output.dir. They measure the"
+      .. " state as it is when they are called.",
+    { "sim:plot(name, { {x = …, y = …}, … })", "a picture of one's own, `<output.dir>/<name>.svg`" },
+    { "sim:table(name, { {\"x [m]\", xs}, … })", "columns of numbers with their names, all of one length, `<output.dir>/<name>.csv`" },
+    { "talus.blast.fragmentation(sim, {…})", "fragment sizes: x20, x50, x80, Rosin–Rammler and Swebrec" },
+    { "talus.blast.distribution {…}", "the same of given sizes" },
+    { "talus.blast.pile(sim, {…})", "muck pile: profile, height, toe, throw, centroid shift, swell, cast, flyrock" },
+    { "talus.blast.vibration(sim, {…})", "peak particle velocity at the probes and its attenuation" },
+    { "talus.blast.backbreak(sim, {…})", "bonds that failed behind a line" },
   },
   {
     title = "Checks",

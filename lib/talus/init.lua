@@ -56,6 +56,7 @@ talus.laws = closed("talus.laws", laws)
 talus.damping = closed("talus.damping", damping)
 talus.eos = closed("talus.eos", eos)
 talus.explosives = closed("talus.explosives", require("talus.gas").explosives)
+talus.blast = closed("talus.blast", require "talus.blast")
 talus.check = closed("talus.check", require "talus.check")
 talus.profile = closed("talus.profile", require("talus.profile").presets)
 

@@ -43,6 +43,7 @@ local function number_type(noun, plain_noun, convert)
     return (range and ("%s %s"):format(noun, range) or plain_noun) .. unit_text(spec)
   end
   function of_type.check(value, spec, where)
+    if spec.gaps and value ~= value then return value end
     local kept = is_finite(value) and convert(value)
     if not kept then expected(where, of_type.expected(spec), value) end
     if not in_range(kept, spec) then

@@ -222,22 +222,23 @@ TEST(EnergyTerms, OnlyWhatTheSceneCanHave) {
             "kinetic strain contact gravity total friction numerical unexplained ");
 }
 
-TEST(EnergyRecord, StaysSmallAndEndsWithTheRun) {
+TEST(Record, StaysSmallAndEndsWithTheRun) {
   Scene scene = moving(1e-3);
   scene.time.t_end = 3;
   Simulation simulation(scene);
-  EnergyRecord record;
+  Record record;
+  const Record::Row row = [&] { return energy_row(simulation); };
   while (!simulation.finished()) {
     simulation.step();
-    record.after_step(simulation);
+    record.after_step(simulation.totals.steps, simulation.model.time, row);
   }
   EXPECT_LT(record.size(), 256u);
   EXPECT_GT(record.size(), 127u);
   const size_t before = record.size();
-  record.last(simulation);
-  record.last(simulation);
+  record.last(simulation.totals.steps, simulation.model.time, row);
+  record.last(simulation.totals.steps, simulation.model.time, row);
   EXPECT_LE(record.size(), before + 1);
-  EXPECT_NE(record.draw(simulation.plan).find("unexplained"), std::string::npos);
+  EXPECT_NE(draw_energies(record, simulation.plan).find("unexplained"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,148 @@
+#include "output/curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gas/gas.h"
+#include "output/energy_plot.h"
+#include "output/output.h"
+#include "output/plot.h"
+#include "step/step.h"
+
+namespace talus {
+
+namespace {
+
+constexpr size_t support_columns = 4;  // displacement and reaction, each x and y
+
+// Pressure and volume of the chamber that holds each charge's gas.
+std::vector<double> gas_row(const Simulation& simulation) {
+  std::vector<double> row;
+  for (size_t wall = 0; wall < simulation.model.hole_walls.size(); ++wall) {
+    const Chamber& chamber = simulation.gas()->chambers()[simulation.gas()->chamber_of(int(wall))];
+    row.push_back(chamber.pressure);
+    row.push_back(chamber.volume);
+  }
+  return row;
+}
+
+std::string draw_gas(const Record& record, const Model& model, bool volume) {
+  Plot plot = {.title = volume ? "Volume of the gas" : "Pressure of the gas",
+               .y_label = volume ? "V" : "P",
+               .y_unit = volume ? "m3/m" : "Pa"};
+  for (size_t wall = 0; wall < model.hole_walls.size(); ++wall)
+    plot.series.push_back({.name = model.scene.charges[model.hole_walls[wall].charge].name,
+                           .x = record.times(),
+                           .y = record.column(2 * wall + volume)});
+  return draw_plot(plot);
+}
+
+std::vector<double> support_row(Simulation& simulation) {
+  std::vector<double> row;
+  for (const MovingSupport& support : moving_supports(simulation))
+    for (const Vec2& pair : {support.shift, support.reaction}) row.insert(row.end(), {pair.x(), pair.y()});
+  return row;
+}
+
+// Mean displacement of what each entry of Scene::fixities holds.
+std::vector<Vec2> fixity_shifts(const Model& model) {
+  std::vector<Vec2> sum(model.scene.fixities.size(), Vec2::Zero());
+  std::vector<int> count(sum.size(), 0);
+  const auto add = [&](int fixity, const Vec2& shift) {
+    sum[fixity] += shift;
+    ++count[fixity];
+  };
+  const auto shift_of = [&](int block, const Vec2& in_block) -> Vec2 {
+    return model.place(block, in_block) - model.reference_place(block, in_block);
+  };
+  for (size_t b = 0; b < model.held_by.size(); ++b)
+    if (model.held_by[b] >= 0) add(model.held_by[b], model.blocks[b].shift);
+  for (const PointFixity& point : model.point_fixities) add(point.fixity, shift_of(point.block, point.in_block));
+  for (const EdgeFixity& edge : model.edge_fixities)
+    add(edge.fixity, shift_of(edge.block, (edge.in_block[0] + edge.in_block[1]) / 2));
+  for (size_t f = 0; f < sum.size(); ++f)
+    if (count[f] > 0) sum[f] /= count[f];
+  return sum;
+}
+
+double largest_of(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+}  // namespace
+
+std::vector<MovingSupport> moving_supports(Simulation& simulation) {
+  std::vector<MovingSupport> supports;
+  if (!simulation.plan.moving_supports) return supports;
+  const Model& model = simulation.model;
+  const std::vector<Vec2> reactions = simulation.stepper().reactions(), shifts = fixity_shifts(model);
+  for (size_t f = 0; f < reactions.size(); ++f) {
+    const Fixity& fixity = model.scene.fixities[f];
+    auto known = std::find_if(supports.begin(), supports.end(), [&](const auto& s) { return s.name == fixity.name; });
+    if (known == supports.end()) {
+      if (fixity.motion == Fixity::none) continue;
+      supports.push_back({fixity.name, shifts[f], {}});
+      known = supports.end() - 1;
+    }
+    known->reaction += reactions[f];
+  }
+  return supports;
+}
+
+template <class Add>
+void Curves::each(Simulation& simulation, Add add) {
+  add(energies_, [&] { return energy_row(simulation); });
+  if (simulation.plan.gas) add(gas_, [&] { return gas_row(simulation); });
+  if (simulation.plan.moving_supports) add(supports_, [&] { return support_row(simulation); });
+}
+
+void Curves::after_step(Simulation& simulation) {
+  each(simulation, [&](Record& record, const Record::Row& row) {
+    record.after_step(simulation.totals.steps, simulation.model.time, row);
+  });
+}
+
+void Curves::write(Simulation& simulation, const std::string& dir) {
+  each(simulation, [&](Record& record, const Record::Row& row) {
+    record.last(simulation.totals.steps, simulation.model.time, row);
+  });
+  write_whole(dir + "/energy.svg", draw_energies(energies_, simulation.plan));
+  if (simulation.plan.gas)
+    for (const bool volume : {false, true})
+      write_whole(dir + (volume ? "/gas_volume.svg" : "/gas_pressure.svg"), draw_gas(gas_, simulation.model, volume));
+  if (simulation.plan.moving_supports)
+    write_whole(dir + "/load_displacement.svg", draw_load_displacement(supports_, moving_supports(simulation)));
+}
+
+void Curves::visit_state(StateVisitor& visitor) {
+  visitor("energies", energies_);
+  visitor("gas", gas_);
+  visitor("supports", supports_);
+}
+
+std::string draw_load_displacement(const Record& supports, const std::vector<MovingSupport>& now) {
+  Plot plot = {.title = "Load against displacement",
+               .x_label = "u",
+               .x_unit = "m",
+               .y_label = "R",
+               .y_unit = "N/m"};
+  for (size_t s = 0; s < now.size(); ++s) {
+    const double most = std::max(largest_of(supports.column(support_columns * s)),
+                                 largest_of(supports.column(support_columns * s + 1)));
+    for (const size_t axis : {0, 1}) {
+      Series series = {.name = now[s].name + (axis == 0 ? ".x" : ".y"),
+                       .x = supports.column(support_columns * s + axis),
+                       .y = supports.column(support_columns * s + 2 + axis)};
+      if (!(largest_of(series.x) > 1e-6 * most)) continue;  // along this axis it stays
+      const double sense = now[s].shift[long(axis)] < 0 ? -1 : 1;
+      for (auto* values : {&series.x, &series.y})
+        for (double& value : *values) value *= sense;
+      plot.series.push_back(series);
+    }
+  }
+  return draw_plot(plot);
+}
+
+}  // namespace talus

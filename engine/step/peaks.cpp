@@ -1,0 +1,18 @@
+#include "step/peaks.h"
+
+namespace talus {
+
+void keep_peaks(Model& model) {
+  for (ProbePoint& probe : model.probes) {
+    const double speed = model.velocity_at(probe.block, model.place(probe.block, probe.in_block)).norm();
+    if (speed <= probe.peak_speed) continue;
+    probe.peak_speed = speed;
+    probe.peak_at = model.time;
+  }
+  for (size_t b = 0; b < model.blocks.size(); ++b) {
+    const double rise = model.blocks[b].shift.y();
+    if (model.shapes[b].dofs > 0 && rise > model.highest.rise) model.highest = {int(b), rise, model.time};
+  }
+}
+
+}  // namespace talus
