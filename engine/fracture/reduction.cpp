@@ -46,8 +46,9 @@ ReductionLaw barton_bandis(double jrc, double jcs, double residual_friction) {
   };
 }
 
-double largest_softening_block(double young, double energy, double strength) {
-  return 2 * young * energy / (strength * strength);
+double softening_compliance(const Softening& law, double tension) {
+  const double lost = tension - law.residual.tension;
+  return (law.exponential ? 1 : 2) * law.energy_opening / (lost * lost);
 }
 
 }  // namespace talus

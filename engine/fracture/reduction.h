@@ -20,8 +20,9 @@ ReductionLaw slip_weakening(double distance, const Strength& residual);
 // Friction angle φ_r + JRC log10(JCS/σn), at most 70°, without cohesion (Barton & Choubey 1977). `jcs`: Pa.
 ReductionLaw barton_bandis(double jrc, double jcs, double residual_friction);
 
-// m, the largest block that can soften with energy `energy` (J/m2) from strength `strength` (Pa) before the energy stored in
-// it passes what the crack takes: 2 E G / f² (Bažant & Oh 1983).
-double largest_softening_block(double young, double energy, double strength);
+// m/Pa, opening over tension lost where the law is steepest: 2 G_I/f² (linear), G_I/f² (exponential), f (Pa) the tension above
+// the residual. Times Young's modulus it is the largest block that can soften before the energy stored in it passes what the
+// crack takes (Bažant & Oh 1983); infinite where no tension is lost.
+double softening_compliance(const Softening& law, double tension);
 
 }  // namespace talus

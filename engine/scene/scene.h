@@ -45,6 +45,7 @@ struct JointProperty {
   Strength residual;         // of a failed bond, where there is no `reduction`
   FailureCriterion criterion;  // empty: Mohr–Coulomb with tension cut-off
   ReductionLaw reduction;      // empty: at once to `residual`
+  double softening_compliance = 0;  // m/Pa, of `reduction` where it softens: opening over tension lost, at its steepest; else 0
   double weibull = 0;          // modulus of the bonds' scattered strength; 0: all alike
   unsigned seed = 1;           // of the scatter
 

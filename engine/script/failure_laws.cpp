@@ -104,7 +104,8 @@ ReductionLaw reduction_of(const LuaFunction& law, const Place& place) {
   };
 }
 
-ReductionLaw ready_made(const TableReader& t, const Strength& residual) {
+ReductionLaw ready_made(const TableReader& t, const JointProperty& property, double& compliance) {
+  const Strength& residual = property.residual;
   std::string kind, shape;
   double energy_opening = 0, energy_slip = 0, distance = 0, jrc = 0, jcs = 0;
   t.read("kind", kind);
@@ -114,7 +115,11 @@ ReductionLaw ready_made(const TableReader& t, const Strength& residual) {
   t.read("distance", distance);
   t.read("jrc", jrc);
   t.read("jcs", jcs);
-  if (kind == "softening") return softening({shape == "exponential", energy_opening, energy_slip, residual});
+  if (kind == "softening") {
+    const Softening law = {shape == "exponential", energy_opening, energy_slip, residual};
+    compliance = softening_compliance(law, property.tension);
+    return softening(law);
+  }
   if (kind == "slip_weakening") return slip_weakening(distance, residual);
   if (kind == "barton_bandis") return barton_bandis(jrc, jcs, residual.friction);
   throw std::logic_error("scene table: no law " + kind);
@@ -132,7 +137,7 @@ void read_failure_laws(const TableReader& t, JointProperty& property) {
     property.reduction = reduction_of(LuaFunction(L, -1), property.place);
     lua_pop(L, 1);
   }
-  t.with("law", [&](const TableReader& law) { property.reduction = ready_made(law, property.residual); });
+  t.with("law", [&](const TableReader& law) { property.reduction = ready_made(law, property, property.softening_compliance); });
 }
 
 }  // namespace talus

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "script/drawing_reader.h"
+#include "script/explain.h"
 #include "script/laws.h"
 #include "script/lua_error.h"
 #include "script/nearest.h"
@@ -99,6 +100,12 @@ int native_create(lua_State* L) {
   return 1;
 }
 
+// explain(simulation, joint) -> text; joint: its number, from 1
+int native_explain(lua_State* L) {
+  lua_pushstring(L, explain(check_simulation(L, 1).simulation.model, int(luaL_checkinteger(L, 2)) - 1).c_str());
+  return 1;
+}
+
 // update(simulation, list, index, entry): a changed material, joint, fixity or load
 int native_update(lua_State* L) {
   Run& run = check_simulation(L, 1);
@@ -165,6 +172,7 @@ int load_native(lua_State* L) {
                                     {"suggestion", guarded<native_suggestion>},
                                     {"try_law", guarded<native_try_law>},
                                     {"create", guarded<native_create>},
+                                    {"explain", guarded<native_explain>},
                                     {"update", guarded<native_update>},
                                     {"add_check", guarded<native_add_check>},
                                     {"note", guarded<native_note>},

@@ -55,6 +55,8 @@ class Closure {
 
 StepReport Stepper::load_step(double to, bool first) {
   prepare_bonds();
+  // What touches at the start, before supports move: they would press from the start on only with what comes after.
+  if (first && plan_.contacts) search_.update(model_, 0);
   if (!fracture_) {
     const double from = model_.time;
     model_.time = to;

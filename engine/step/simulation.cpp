@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "equations/recovery.h"
+#include "fracture/snap_back.h"
 #include "model/registry.h"
 #include "scene/build.h"
 #include "step/part_timer.h"
@@ -60,6 +61,7 @@ Simulation::Simulation(Scene scene) {
   model = build(std::move(scene));
   plan = make_plan(model);
   notes = model.notes;
+  if (const std::string note = check_snap_back(model); !note.empty()) notes.push_back(note);
   fingerprint_ = fingerprint(model);
   stepper_ = std::make_unique<Stepper>(model, plan, totals, ledger);
   stepper_->begin_ledger();

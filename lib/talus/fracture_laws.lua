@@ -22,9 +22,19 @@ function laws.residual_of(law)
   if word == "softening" or word == "slip_weakening" then return of(law, "residual") end
 end
 
+local unlimited = 1e30  -- Pa
+
+-- Cohesion without tension is Mohr and Coulomb's line without a cut-off: it ends at c/tan φ.
+local function tension_of(friction, cohesion, tension)
+  if tension then return tension end
+  if not cohesion then return 0 end
+  return math.min(unlimited, cohesion/math.tan(friction))
+end
+
 -- The joint's strengths with what is left out filled in.
 local function strength(values)
-  return { friction = values.friction or math.pi/6, cohesion = values.cohesion or 0, tension = values.tension or 0 }
+  local friction = values.friction or math.pi/6
+  return { friction = friction, cohesion = values.cohesion or 0, tension = tension_of(friction, values.cohesion, values.tension) }
 end
 
 local function filled(residual, intact)
@@ -97,6 +107,7 @@ end
 -- Bonds break where the joint gives a strength.
 function laws.flatten(joint, flat)
   local given = object and object.given or require("talus.object").given
+  flat.tension = tension_of(flat.friction, given(joint, "cohesion"), given(joint, "tension"))
   local intact = { friction = flat.friction, cohesion = flat.cohesion, tension = flat.tension }
   flat.breaks = given(joint, "tension") ~= nil or given(joint, "cohesion") ~= nil
     or given(joint, "criterion") ~= nil

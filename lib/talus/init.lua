@@ -57,6 +57,8 @@ talus.damping = closed("talus.damping", damping)
 talus.eos = closed("talus.eos", eos)
 talus.explosives = closed("talus.explosives", require("talus.gas").explosives)
 talus.blast = closed("talus.blast", require "talus.blast")
+talus.lab = closed("talus.lab", { compression = require("talus.lab").compression, brazilian = require("talus.lab").brazilian })
+talus.calibrate = require "talus.calibrate"
 talus.check = closed("talus.check", require "talus.check")
 talus.profile = closed("talus.profile", require("talus.profile").presets)
 

@@ -55,6 +55,22 @@ function rules.joint(values, bad)
   laws.check_residual(values, laws.residual_of(values.reduction), "reduction.residual", bad)
   laws.try_criterion(values, bad)
   laws.try_reduction(values, bad)
+  if values.tension and not values.cohesion and not values.criterion then
+    bad("cohesion", "a number >= 0 (Pa) beside tension, as bonds without cohesion fail in shear at once", "nothing")
+  end
+end
+
+function rules.calibrate(values, bad)
+  local confined = values.confined
+  if confined and require("talus.object").given(confined, "strength") <= values.ucs then
+    bad("confined.strength", ("more than ucs = %g (Pa)"):format(values.ucs), "no more")
+  end
+end
+
+function rules.simulation(values, bad)
+  if values.charges and require("talus.object").get(values.time, "mode") == "static" then
+    bad("charges", 'time.mode = "dynamic", as gas moves rock in time', "static")
+  end
 end
 
 -- persistence = trace_length/(trace_length + gap): two of the three give the third.

@@ -212,7 +212,8 @@ TEST(Reduction, BartonBandisOverTheNormalPressure) {
 }
 
 TEST(Reduction, LargestSofteningBlock) {
-  EXPECT_DOUBLE_EQ(largest_softening_block(10e9, 50, 0.5e6), 4);
+  EXPECT_DOUBLE_EQ(10e9 * softening_compliance({false, 50, 50, {}}, 0.5e6), 4);
+  EXPECT_DOUBLE_EQ(10e9 * softening_compliance({true, 50, 50, {0, 0, 0.25e6}}, 0.5e6), 8);
 }
 
 // Mean 1 and coefficient of variation of Weibull's distribution: sqrt(Γ(1+2/m)/Γ(1+1/m)² - 1); bounds: four standard errors.

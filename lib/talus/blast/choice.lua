@@ -47,7 +47,7 @@ function choice.outlines(sim, names)
     if given(region, "outline") then
       lists[#lists + 1] = given(given(region, "outline"), "points")
     else
-      for _, block in ipairs(given(region, "blocks")) do lists[#lists + 1] = block end
+      for _, block in ipairs(given(region, "blocks")) do lists[#lists + 1] = given(block, "points") end
     end
   end
   return lists

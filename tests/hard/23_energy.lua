@@ -1,0 +1,46 @@
+-- 23. Nothing puts work in: no accepted step raises the total energy by more than 1e-6 of what there is, also where bonds break, and
+-- what the ledger leaves unexplained stays within 1 % of the energy at the start. Squares of bonded triangles without gravity: one
+-- spins until it bursts, two meet in flight, one breaks on a held floor; with brittle bonds and with such that soften.
+-- Source: energy is not made. (3 s CPU)
+local talus = require "talus"
+local u = talus.units
+local rock = talus.material { name = "rock", density = 2500, young = 10*u.GPa, poisson = 0.2 }
+local brittle = talus.joint { name = "brittle", friction = 35*u.deg, cohesion = 4*u.MPa, tension = 1*u.MPa }
+local soft = talus.joint { name = "soft", friction = 35*u.deg, cohesion = 4*u.MPa, tension = 1*u.MPa,
+                           reduction = talus.laws.softening { G_I = 50, G_II = 500 } }
+
+local function square(name, x, y, joint, more)
+  local fields = { name = name, outline = talus.rect(x, y, x + 1, y + 1), material = rock, joint = joint, mesh = { size = 0.25 } }
+  for key, value in pairs(more) do fields[key] = value end
+  return talus.region(fields)
+end
+
+local cases = {
+  ["spinning"] = { t_end = 10*u.ms, dt = 20*u.us, regions = function(joint) return { square("square", 0, 0, joint, { spin = 60 }) } end },
+  ["two that meet"] = { t_end = 4*u.ms, dt = 10*u.us, regions = function(joint)
+    return { square("left", 0, 0, joint, { velocity = {5, 0} }), square("right", 1.005, 0.3, joint, { velocity = {-5, 0} }) }
+  end },
+  ["against a floor"] = { t_end = 4*u.ms, dt = 10*u.us, regions = function(joint)
+    return { talus.region { name = "floor", outline = talus.rect(-1, -1, 2, 0), material = rock, held = true },
+             square("square", 0, 0.002, joint, { velocity = {3, -10} }) }
+  end },
+}
+
+for _, joint in ipairs { brittle, soft } do
+  for _, name in ipairs { "spinning", "two that meet", "against a floor" } do
+    local case = cases[name]
+    local sim = talus.simulation { contact = talus.joint { name = "faces", friction = 30*u.deg }, regions = case.regions(joint),
+                                   time = { t_end = case.t_end, dt = case.dt } }
+    local before, rise, rest = sim.energy.total, 0, 0
+    for _ in sim:steps() do
+      local energy = sim.energy
+      rise = math.max(rise, (energy.total - before)/before)
+      rest = math.max(rest, math.abs(energy.unexplained)/energy.scale)
+      before = energy.total
+    end
+    local label = name .. ", " .. joint.name .. " bonds: "
+    talus.check.above(label .. "bonds that failed", sim.totals.failures, 10)
+    talus.check.below(label .. "largest rise of the total energy in a step, of it", rise, 1e-6)
+    talus.check.below(label .. "unexplained, largest, of the energy at the start", rest, 0.01)
+  end
+end
