@@ -45,6 +45,16 @@ HoleWall wall_of(const Model& model, int id, const std::vector<FreeEdge>& edges)
   return wall;
 }
 
+// Gas would blow through what lets waves out.
+void refuse_dashpots(const Model& model, const HoleWall& wall) {
+  const Charge& charge = model.scene.charges[wall.charge];
+  for (const ViscousEdge& viscous : model.viscous_edges)
+    for (const BlockEdge& edge : wall.edges)
+      if (viscous.block == edge.block && viscous.edge == edge.edge)
+        throw InputError(charge.place, "charge.hole", "a hole whose wall is rock",
+                         "\"" + model.scene.regions[charge.region].holes[charge.hole].name + "\", part of which is a viscous boundary");
+}
+
 }  // namespace
 
 void attach_charges(Model& model, const std::vector<FreeEdge>& edges) {
@@ -52,6 +62,7 @@ void attach_charges(Model& model, const std::vector<FreeEdge>& edges) {
   std::set<std::pair<int, int>> closed;  // edges where nothing vents: walls of charges, and what is held
   for (size_t c = 0; c < model.scene.charges.size(); ++c) {
     model.hole_walls.push_back(wall_of(model, int(c), edges));
+    refuse_dashpots(model, model.hole_walls.back());
     for (const BlockEdge& edge : model.hole_walls.back().edges) closed.insert({edge.block, edge.edge});
   }
   std::vector<int> node_of(model.reference_vertex.size(), -1);

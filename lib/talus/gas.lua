@@ -59,6 +59,12 @@ function gas.check_jwl(values, bad)
     if values.explosive and values[name] then bad(name, "an explosive or its constants", "both") end
     if not values.explosive and not values[name] then bad(name, "a number > 0, as no explosive is named", "nothing") end
   end
+  if values.explosive then return end
+  -- C of the isentrope, which is what is left of the pressure in the end.
+  local least = values.A/values.R1*math.exp(-values.R1) + values.B/values.R2*math.exp(-values.R2)
+  if values.E <= least then
+    bad("E", ("more than A/R1 e^-R1 + B/R2 e^-R2 = %.6g (J/m3), or the pressure becomes negative"):format(least), ("%g"):format(values.E))
+  end
 end
 
 local function flatten_law(law)

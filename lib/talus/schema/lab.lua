@@ -47,8 +47,9 @@ return {
       .. " uniaxial strength, tension from the Brazilian one, friction from a confined strength where one is given. Returns `joint`"
       .. " (`{ friction, cohesion, tension }`, fields for talus.joint), `reached` (`{ young, ucs, tensile, confined }`, Pa, as measured"
       .. " with these values), `off` (largest part by which a strength misses), `converged` and `rounds`. Young's modulus needs no"
-      .. " joint values: bonds add no compliance. What it cannot do: uniaxial strengths below some three times the tensile one, as discs"
-      .. " then fail at the plates; a meshing other than its own: brittle strengths scatter by some per cent from mesh to mesh (`meshes`).",
+      .. " joint values: bonds add no compliance. What it cannot reach: a Brazilian strength above about a tenth of the uniaxial"
+      .. " one, as flats of 7.2° are crushed before the disc splits (`converged` is false then, `reached` says what came of it). Brittle strengths"
+      .. " scatter by some per cent from mesh to mesh (`meshes`).",
     fields = {
       material,
       { name = "ucs", type = "number", above = 0, unit = "Pa", required = true, doc = "wanted uniaxial compressive strength" },
