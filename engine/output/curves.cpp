@@ -21,7 +21,7 @@ std::vector<double> gas_row(const Simulation& simulation) {
   for (size_t wall = 0; wall < simulation.model.hole_walls.size(); ++wall) {
     const Chamber& chamber = simulation.gas()->chambers()[simulation.gas()->chamber_of(int(wall))];
     row.push_back(chamber.pressure);
-    row.push_back(chamber.volume);
+    row.push_back(chamber.state == Chamber::State::waiting ? NAN : chamber.volume);  // no line before it goes off
   }
   return row;
 }

@@ -124,6 +124,7 @@ void draw_titles(Svg& svg, const Model& model, const PictureField& field, double
   const int tension = failed_joints(model, FailureMode::tension), shear = failed_joints(model, FailureMode::shear);
   if (tension > 0) line += ", " + std::to_string(tension) + " failed in tension (black)";
   if (shear > 0) line += ", " + std::to_string(shear) + " in shear (magenta)";
+  if (!model.gas_faces.empty()) line += ", faces under gas (orange)";
   svg.text({left, 12 + title_size + 2 * line_height}, line, {.size = line_size, .colour = "#444"});
 }
 
@@ -188,6 +189,7 @@ std::string draw_picture(const FieldContext& context, const PictureOptions& opti
   svg.raw(clip(layout.frame));
   draw_titles(svg, context.model, field, magnification, layout.width);
   draw_blocks(svg, layout, placement, field, options.edges);
+  draw_gas(svg, layout.frame, placement);
   draw_failed_joints(svg, layout.frame, placement);
   draw_fixities(svg, layout.frame, placement);
   draw_axes(svg, layout.frame, {.x = "x", .y = "y", .x_unit = layout.metre, .y_unit = layout.metre});

@@ -146,6 +146,18 @@ int failed_joints(const Model& model, FailureMode mode) {
                                         [mode](const Joint& joint) { return joint.mode == mode; }));
 }
 
+void draw_gas(Svg& svg, const Frame& frame, const Placement& placement) {
+  Path path;
+  for (const GasFace& face : placement.model().gas_faces) {
+    const Vec2 ends[] = {frame.at(placement.place(face.block, face.in_block[0])),
+                         frame.at(placement.place(face.block, face.in_block[1]))};
+    path.add(ends, false);
+  }
+  if (path.data().empty()) return;
+  svg.raw(std::string("<path transform=\"scale(.1)\" clip-path=\"url(#frame)\" fill=\"none\" stroke=\"") + gas_colour +
+          "\" stroke-width=\"45\" stroke-linecap=\"round\" d=\"" + path.data() + "\"/>\n");
+}
+
 void draw_failed_joints(Svg& svg, const Frame& frame, const Placement& placement) {
   const auto draw = [&](FailureMode mode, const std::string& colour) {
     Path path;

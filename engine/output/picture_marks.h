@@ -1,5 +1,5 @@
 #pragma once
-// What is drawn on top of the blocks: failed joints, fixities, loads.
+// What is drawn on top of the blocks: failed joints, gas, fixities, loads.
 #include <vector>
 
 #include "model/model.h"
@@ -35,6 +35,8 @@ Vec2 far_end(const Arrow& arrow);  // px from the loaded point, y down
 
 constexpr const char *tension_crack_colour = "#000000", *shear_crack_colour = "#d6008a";
 int failed_joints(const Model& model, FailureMode mode);
+constexpr const char* gas_colour = "#ff7f0e";
+void draw_gas(Svg& svg, const Frame& frame, const Placement& placement);  // faces under pressure in the last step
 void draw_failed_joints(Svg& svg, const Frame& frame, const Placement& placement);
 void draw_fixities(Svg& svg, const Frame& frame, const Placement& placement);
 void draw_arrows(Svg& svg, const Frame& frame, const std::vector<Arrow>& arrows);

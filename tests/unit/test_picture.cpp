@@ -7,6 +7,7 @@
 #include "output/axis.h"
 #include "output/colour_bar.h"
 #include "output/output.h"
+#include "output/picture_marks.h"
 #include "output/plot.h"
 #include "output/text.h"
 
@@ -216,6 +217,15 @@ TEST(Picture, MarksFixitiesLoadsAndFailedJoints) {
   EXPECT_FALSE(has(other, "kN"));               // no load, no arrow
 }
 
+TEST(Picture, ShowsWhereTheGasPresses) {
+  Model model = test::two_squares();
+  EXPECT_FALSE(has(draw_picture({model, nullptr}, {}), "gas"));
+  model.gas_faces = {{0, 0, {Vec2(-0.5, 0.5), Vec2(0.5, 0.5)}}};
+  const std::string svg = draw_picture({model, nullptr}, {});
+  EXPECT_TRUE(has(svg, "faces under gas (orange)"));
+  EXPECT_TRUE(has(svg, gas_colour));
+}
+
 TEST(Picture, FlyingChipDoesNotShrinkTheRest) {
   Model model = two_squares();
   model.blocks[0].centroid += Vec2(1e5, 0);
@@ -254,6 +264,16 @@ TEST(Plot, CurvesLegendAndUnits) {
   EXPECT_EQ(count(svg, "stroke=\"#d55e00\""), 1);  // two lone points make no curve
   EXPECT_EQ(count(svg, "<circle"), 3);             // legend and two finite points
   EXPECT_FALSE(has(svg, "nan"));
+}
+
+// A section ten times as wide as high comes out flat, with one scale for both axes; points without a line have none.
+TEST(Plot, EqualScalesMakeTheFrameAsFlatAsTheValues) {
+  const auto svg_of = [](bool equal) {
+    return draw_plot({.series = {{.x = {0, 10}, .y = {0, 1}, .markers = true, .line = false}}, .equal = equal});
+  };
+  EXPECT_TRUE(has(svg_of(false), "height=\"500\""));
+  EXPECT_FALSE(has(svg_of(true), "height=\"500\""));
+  EXPECT_FALSE(has(svg_of(true), "stroke-linejoin=\"round\""));
 }
 
 TEST(Plot, LogarithmicAxesLeaveOutWhatIsNotPositive) {

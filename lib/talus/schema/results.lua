@@ -52,7 +52,7 @@ return {
       .. " fragments up to that size), `x20`, `x50`, `x80` (m; between sizes straight in ln x), `count`, `area` (m2), `floor` (m, the"
       .. " same median of single blocks: the mesh lets nothing be finer) and `single` (part of the area in fragments that are one"
       .. " block: the nearer to 1 the more the curve is the mesh's), and from three sizes on `rosin_rammler = { x50, n, residual }`,"
-      .. " P = 1 − exp(−ln 2·(x/x50)^n), and `swebrec = { x50, xmax, b, residual }`, P = 1/(1 + (ln(xmax/x)/ln(xmax/x50))^b), xmax the"
+      .. " P = 1 − exp(−ln 2·(x/x50)^n) (Rosin & Rammler 1933), and `swebrec = { x50, xmax, b, residual }`, P = 1/(1 + (ln(xmax/x)/ln(xmax/x50))^b) (Ouchterlony 2005), xmax the"
       .. " largest fragment: least squares in P, weighted by area; residual: root of the mean square, in P.",
     fields = {
       regions,
@@ -70,7 +70,7 @@ return {
       .. " and `highest` (sim.highest, of the whole run).",
     fields = {
       regions,
-      { name = "moved", type = "number", least = 0, unit = "m", default = 0, doc = "only blocks that have moved farther than this" },
+      { name = "moved", type = "number", least = 0, unit = "m", default = 0, doc = "only blocks that have moved as far as this" },
       { name = "where", type = "function", default_doc = "all", doc = "`function(block)`: whether it belongs to the pile" },
       { name = "ground", type = "any", of = { { type = "number", unit = "m" }, { type = "function" } },
         default_doc = "the top of the other blocks; where there are none, the lowest corner of the pile",
@@ -86,7 +86,7 @@ return {
   {
     kind = "vibration", call = "talus.blast.vibration(sim, …)",
     doc = "Peak particle velocity at the probes, the largest |v| after any step, over the scaled distance R/√W, and PPV = K (R/√W)^-β by a"
-      .. " straight line through the logarithms. Returns `points`, a list of `{ name, distance, scaled, ppv, time }`, nearest first, `K`,"
+      .. " straight line through the logarithms (Duvall & Fogelson 1962). Returns `points`, a list of `{ name, distance, scaled, ppv, time }`, nearest first, `K`,"
       .. " `beta`, `residual` (root mean square of ln PPV). Waves of a plane scene spread as from a line of holes: β is smaller than in the field.",
     fields = {
       { name = "at", type = "any", of = { { type = "string" }, { type = "point", unit = "m" } }, default_doc = "the first charge",
@@ -106,7 +106,7 @@ return {
       { name = "behind", type = "enum", values = { "left", "right" }, default = "left",
         doc = "the side of the line that is behind: of a `talus.line` as seen along it, of an upright one as seen upwards" },
       regions,
-      file("the picture (.svg) and table (.csv): length of failed bonds farther behind the line than d"),
+      file("the table (.csv) and picture (.svg) of the length of failed bonds over their least distance behind the line"),
     },
   },
 }
