@@ -37,9 +37,9 @@ std::string draw_gas(const Record& record, const Model& model, bool volume) {
   return draw_plot(plot);
 }
 
-std::vector<double> support_row(Simulation& simulation) {
+std::vector<double> support_row(const std::vector<MovingSupport>& supports) {
   std::vector<double> row;
-  for (const MovingSupport& support : moving_supports(simulation))
+  for (const MovingSupport& support : supports)
     for (const Vec2& pair : {support.shift, support.reaction}) row.insert(row.end(), {pair.x(), pair.y()});
   return row;
 }
@@ -73,20 +73,30 @@ double largest_of(const std::vector<double>& values) {
 
 }  // namespace
 
-std::vector<MovingSupport> moving_supports(Simulation& simulation) {
+std::vector<std::string> moving_names(const Model& model, const Plan& plan) {
+  std::vector<std::string> names;
+  if (!plan.moving_supports) return names;
+  for (const Fixity& fixity : model.scene.fixities)
+    if (fixity.motion != Fixity::none && std::find(names.begin(), names.end(), fixity.name) == names.end())
+      names.push_back(fixity.name);
+  return names;
+}
+
+std::vector<MovingSupport> moving_supports(Simulation& simulation, const std::vector<std::string>& names) {
   std::vector<MovingSupport> supports;
-  if (!simulation.plan.moving_supports) return supports;
+  if (names.empty()) return supports;
   const Model& model = simulation.model;
   const std::vector<Vec2> reactions = simulation.stepper().reactions(), shifts = fixity_shifts(model);
-  for (size_t f = 0; f < reactions.size(); ++f) {
-    const Fixity& fixity = model.scene.fixities[f];
-    auto known = std::find_if(supports.begin(), supports.end(), [&](const auto& s) { return s.name == fixity.name; });
-    if (known == supports.end()) {
-      if (fixity.motion == Fixity::none) continue;
-      supports.push_back({fixity.name, shifts[f], {}});
-      known = supports.end() - 1;
+  for (const std::string& name : names) {
+    supports.push_back({name});
+    int entries = 0;
+    for (size_t f = 0; f < reactions.size(); ++f) {
+      if (model.scene.fixities[f].name != name) continue;
+      supports.back().reaction += reactions[f];
+      supports.back().shift += shifts[f];
+      ++entries;
     }
-    known->reaction += reactions[f];
+    supports.back().shift /= entries;
   }
   return supports;
 }
@@ -95,8 +105,10 @@ template <class Add>
 void Curves::each(Simulation& simulation, Add add) {
   add(energies_, [&] { return energy_row(simulation); });
   if (simulation.plan.gas) add(gas_, [&] { return gas_row(simulation); });
-  if (simulation.plan.moving_supports) add(supports_, [&] { return support_row(simulation); });
+  if (!moving_.empty()) add(supports_, [&] { return support_row(moving_supports(simulation, moving_)); });
 }
+
+void Curves::begin(const Simulation& simulation) { moving_ = moving_names(simulation.model, simulation.plan); }
 
 void Curves::after_step(Simulation& simulation) {
   each(simulation, [&](Record& record, const Record::Row& row) {
@@ -112,8 +124,8 @@ void Curves::write(Simulation& simulation, const std::string& dir) {
   if (simulation.plan.gas)
     for (const bool volume : {false, true})
       write_whole(dir + (volume ? "/gas_volume.svg" : "/gas_pressure.svg"), draw_gas(gas_, simulation.model, volume));
-  if (simulation.plan.moving_supports)
-    write_whole(dir + "/load_displacement.svg", draw_load_displacement(supports_, moving_supports(simulation)));
+  if (!moving_.empty())
+    write_whole(dir + "/load_displacement.svg", draw_load_displacement(supports_, moving_supports(simulation, moving_)));
 }
 
 void Curves::visit_state(StateVisitor& visitor) {

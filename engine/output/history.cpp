@@ -23,16 +23,7 @@ namespace {
 
 constexpr std::array probe_columns = {"ux", "uy", "vx", "vy", "sxx", "syy", "sxy"};
 
-std::vector<std::string> moving_names(const Model& model, const Plan& plan) {
-  std::vector<std::string> names;
-  if (!plan.moving_supports) return names;
-  for (const Fixity& fixity : model.scene.fixities)
-    if (fixity.motion != Fixity::none && std::find(names.begin(), names.end(), fixity.name) == names.end())
-      names.push_back(fixity.name);
-  return names;
-}
-
-std::string header(const Model& model, const Plan& plan) {
+std::string header(const Model& model, const Plan& plan, const std::vector<std::string>& moving) {
   std::string line = "time [s],step,dt [s],";
   for (const EnergyTerm* term : energy_terms(plan)) line += term->column + " [J/m],";
   line += "closed_contacts,max_residual";
@@ -41,7 +32,7 @@ std::string header(const Model& model, const Plan& plan) {
     for (const HoleWall& wall : model.hole_walls)
       for (const char* what : {".volume [m3/m]", ".pressure [Pa]"})
         line += "," + csv_cell(model.scene.charges[wall.charge].name + what);
-  for (const std::string& name : moving_names(model, plan))
+  for (const std::string& name : moving)
     for (const char* axis : {".ux [m]", ".uy [m]", ".reaction_x [N/m]", ".reaction_y [N/m]"}) line += "," + csv_cell(name + axis);
   for (const ProbePoint& probe : model.probes)
     for (const char* column : probe_columns) {
@@ -73,8 +64,8 @@ long step_of(const std::string& row) {
 }  // namespace
 
 HistoryTable::HistoryTable(const std::string& path, const Model& model, const Plan& plan, bool resumed)
-    : path_(path) {
-  const std::string columns = header(model, plan) + "\n";
+    : path_(path), moving_(moving_names(model, plan)) {
+  const std::string columns = header(model, plan, moving_) + "\n";
   std::string content;
   if (resumed) content = whole_lines(path);
   const bool same_columns = content.starts_with(columns);
@@ -130,7 +121,7 @@ void HistoryTable::add(Simulation& simulation, double residual, const std::vecto
       const Chamber& chamber = simulation.gas()->chambers()[simulation.gas()->chamber_of(int(wall))];
       line += "," + shortest(chamber.volume) + "," + shortest(chamber.pressure);
     }
-  for (const MovingSupport& support : moving_supports(simulation))
+  for (const MovingSupport& support : moving_supports(simulation, moving_))
     for (const Vec2& pair : {support.shift, support.reaction})
       line += "," + shortest(pair.x()) + "," + shortest(pair.y());
   for (int probe = 0; probe < static_cast<int>(model.probes.size()); ++probe)

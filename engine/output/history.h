@@ -24,6 +24,7 @@ class HistoryTable {
   void begin(const std::string& content);
   std::string before() const;
   std::string path_;
+  std::vector<std::string> moving_;  // names of supports that have columns
   std::ofstream file_;
 };
 

@@ -103,6 +103,7 @@ RunOutput::RunOutput(Simulation& simulation, const std::string& command_line, bo
   parts_ = std::make_unique<Parts>();
   parts_->dir = scene.output.dir;
   parts_->command_line = command_line;
+  parts_->curves.begin(simulation);
   parts_->history.emplace(parts_->dir + "/history.csv", simulation.model, simulation.plan, resumed);
   if (!scene.output.vtk) return;
   parts_->blocks.emplace(parts_->dir, "blocks");

@@ -238,6 +238,7 @@ TEST(Record, StaysSmallAndEndsWithTheRun) {
   record.last(simulation.totals.steps, simulation.model.time, row);
   record.last(simulation.totals.steps, simulation.model.time, row);
   EXPECT_LE(record.size(), before + 1);
+  EXPECT_EQ(record.column(0).size(), record.size());
   EXPECT_NE(draw_energies(record, simulation.plan).find("unexplained"), std::string::npos);
 }
 
