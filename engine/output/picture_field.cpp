@@ -20,6 +20,26 @@ bool drawable(const Field& field) {
   return field.components <= 2;
 }
 
+// A quantity of joints: a block shows the largest of its own.
+const Field* field_of_joints(const std::string& name) {
+  const Field* field = find_field(joint_fields(), name);
+  return field && !field->whole && field->components == 1 && !find_field(block_fields(), name) ? field : nullptr;
+}
+
+// Per block the value of largest size. Of what has failed the utilisation says nothing any more.
+std::vector<double> largest_of_joints(const FieldContext& context, const Field& field) {
+  std::vector<double> largest(context.model.shapes.size(), 0.0);
+  const auto& joints = context.model.joints;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (field.name == "utilisation" && joints[j].state == JointState::failed) continue;
+    double value = 0;
+    field.get(context, int(j), &value);
+    for (const int block : {joints[j].a, joints[j].b})
+      if (std::abs(value) > std::abs(largest[block])) largest[block] = value;
+  }
+  return largest;
+}
+
 // Fields that differ from block to block however it is held keep their colour.
 bool says_something_of_held(const Field& field) {
   return field.whole || field.name == "area" || field.name == "density" || field.name == "mass";
@@ -41,10 +61,12 @@ double rounding_noise(const Model& model, const Field& field) {
 
 void check_picture_field(const Scene& scene, const std::string& name) {
   const Field* field = find_field(block_fields(), name);
-  if ((field && drawable(*field)) || user_field(scene, name)) return;
+  if ((field && drawable(*field)) || user_field(scene, name) || field_of_joints(name)) return;
   std::vector<std::string> known;
   for (const Field& each : block_fields())
     if (drawable(each)) known.push_back(each.name);
+  for (const Field& each : joint_fields())
+    if (field_of_joints(each.name)) known.push_back(each.name);
   for (const auto& [each, function] : scene.output.fields) known.push_back(each);
   throw InputError(scene.output.place, "output.picture",
                    "a field of the blocks that is one number or a vector",
@@ -56,11 +78,13 @@ PictureField picture_field(const FieldContext& context, const std::string& name)
   check_picture_field(model.scene, name);
   const Field* field = find_field(block_fields(), name);
   const auto* user = field ? nullptr : user_field(model.scene, name);
+  const Field* of_joints = field || user ? nullptr : field_of_joints(name);
+  const std::vector<double> joint_values = of_joints ? largest_of_joints(context, *of_joints) : std::vector<double>{};
   PictureField out;
   out.symbol = field && !field->symbol.empty() ? field->symbol : name;
   out.subscripts = field && !field->symbol.empty();
-  out.unit = field ? field->unit : "";
-  out.meaning = field ? field->meaning : name;
+  out.unit = field ? field->unit : of_joints ? of_joints->unit : "";
+  out.meaning = field ? field->meaning : of_joints ? "joints: " + of_joints->meaning + "; the largest of each block's" : name;
   out.whole = field && field->whole;
   out.noise = field && !field->whole ? rounding_noise(model, *field) : 0;
   const bool held_too = !field || says_something_of_held(*field);
@@ -69,6 +93,8 @@ PictureField picture_field(const FieldContext& context, const std::string& name)
     out.grey.push_back(model.shapes[b].dofs == 0 && !held_too);
     if (user) {
       value[0] = (*user)(b);
+    } else if (of_joints) {
+      value[0] = joint_values[b];
     } else if (!out.grey.back()) {
       field->get(context, b, value);
     }

@@ -1,5 +1,6 @@
 #pragma once
-// The numbers a picture is coloured by: a scalar block field, the length of a vector field, or a user array.
+// The numbers a picture is coloured by: a scalar block field, the length of a vector field, a field of
+// joints, or a user array.
 #include <string>
 #include <vector>
 

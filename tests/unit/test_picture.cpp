@@ -244,6 +244,18 @@ TEST(Picture, UnknownFieldIsAnsweredWithTheNearest) {
   EXPECT_EQ(refusal(model, "velocity"), "");                           // a vector by its length
 }
 
+TEST(Picture, BlocksShowTheLargestOfTheirJoints) {
+  Model model = two_squares();
+  model.joints[0].utilisation = 0.75;
+  const std::string svg = picture(model, {.field = "utilisation"});
+  EXPECT_TRUE(has(svg, "joints: part of its strength that is used"));
+  EXPECT_TRUE(has(svg, "0.75"));
+  model.joints[0].state = JointState::failed;  // with what it had when it failed
+  EXPECT_FALSE(has(picture(model, {.field = "utilisation"}), "0.75"));
+  EXPECT_EQ(refusal(model, "opening"), "");
+  EXPECT_TRUE(has(refusal(model, "utilization"), "did you mean \"utilisation\""));
+}
+
 TEST(Picture, UserArray) {
   Model model = two_squares();
   model.scene.output.fields = {{"my_heat", [](int block) { return block == 0 ? 10.0 : 20.0; }}};

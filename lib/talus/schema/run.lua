@@ -141,7 +141,8 @@ return {
       { name = "vtk", type = "boolean", default = true, doc = "VTK series of blocks and joints" },
       { name = "picture", type = "any",
         of = { { type = "boolean" }, { type = "string" }, picture },
-        default = true, doc = "SVG pictures: true, false, a field's name, or a `picture` table. The colours of each picture span the values"
+        default = true, doc = "SVG pictures: true, false, the name of a field of blocks or joints (of which a block shows its largest), or a `picture`"
+            .. " table. The colours of each picture span the values"
             .. " of its own time, its axes the blocks where they are then: compare pictures by the numbers at the bar" },
       { name = "fields", type = "map", of = { type = "function" },
         doc = "arrays of one's own: `{ name = function(block) return number end }`" },
@@ -151,7 +152,7 @@ return {
     kind = "picture", call = "", doc = "How pictures look.",
     fields = {
       { name = "field", type = "string", default = "s1",
-        doc = "field of blocks to colour by, see Fields of blocks" },
+        doc = "what to colour by, see Fields of blocks and of joints: `\"utilisation\"`, say" },
       { name = "scale", type = "number", least = 0, default = 0, default_doc = "1",
         doc = "magnification of displacements" },
     },
