@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <vector>
 
-
 namespace talus {
 
 namespace {
@@ -45,7 +44,8 @@ std::string check_snap_back(const Model& model) {
     if (of.too_large == of.bonds)
       throw InputError(property.place, "joint.reduction",
                        "blocks of at most " + allowed + " (root of the area; triangles of " +
-                           metres(1.5 * of.largest_allowed) + "), as larger ones give back more energy than G_I takes and snap back in one step",
+                           metres(1.5 * of.largest_allowed) +
+                           "), as larger ones give back more energy than G_I takes and snap back in one step",
                        "blocks of " + metres(of.smallest) + " and more");
     note += (note.empty() ? "" : "; ") + std::to_string(of.too_large) + " of the " + std::to_string(of.bonds) +
             " bonds of " + property.name + " are between blocks above " + allowed +

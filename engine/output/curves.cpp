@@ -108,7 +108,9 @@ void Curves::each(Simulation& simulation, Add add) {
   if (!moving_.empty()) add(supports_, [&] { return support_row(moving_supports(simulation, moving_)); });
 }
 
-void Curves::begin(const Simulation& simulation) { moving_ = moving_names(simulation.model, simulation.plan); }
+void Curves::begin(const Simulation& simulation) {
+  moving_ = moving_names(simulation.model, simulation.plan);
+}
 
 void Curves::after_step(Simulation& simulation) {
   each(simulation, [&](Record& record, const Record::Row& row) {
@@ -123,9 +125,11 @@ void Curves::write(Simulation& simulation, const std::string& dir) {
   write_whole(dir + "/energy.svg", draw_energies(energies_, simulation.plan));
   if (simulation.plan.gas)
     for (const bool volume : {false, true})
-      write_whole(dir + (volume ? "/gas_volume.svg" : "/gas_pressure.svg"), draw_gas(gas_, simulation.model, volume));
+      write_whole(dir + (volume ? "/gas_volume.svg" : "/gas_pressure.svg"),
+                  draw_gas(gas_, simulation.model, volume));
   if (!moving_.empty())
-    write_whole(dir + "/load_displacement.svg", draw_load_displacement(supports_, moving_supports(simulation, moving_)));
+    write_whole(dir + "/load_displacement.svg",
+                draw_load_displacement(supports_, moving_supports(simulation, moving_)));
 }
 
 void Curves::visit_state(StateVisitor& visitor) {
@@ -135,11 +139,8 @@ void Curves::visit_state(StateVisitor& visitor) {
 }
 
 std::string draw_load_displacement(const Record& supports, const std::vector<MovingSupport>& now) {
-  Plot plot = {.title = "Load against displacement",
-               .x_label = "u",
-               .x_unit = "m",
-               .y_label = "R",
-               .y_unit = "N/m"};
+  Plot plot = {
+      .title = "Load against displacement", .x_label = "u", .x_unit = "m", .y_label = "R", .y_unit = "N/m"};
   for (size_t s = 0; s < now.size(); ++s) {
     const double most = std::max(largest_of(supports.column(support_columns * s)),
                                  largest_of(supports.column(support_columns * s + 1)));

@@ -1,6 +1,6 @@
 #pragma once
-// What a run draws over its whole length: energy.svg, gas_pressure.svg and gas_volume.svg where charges go off, and
-// load_displacement.svg where supports move.
+// What a run draws over its whole length: energy.svg, gas_pressure.svg and gas_volume.svg where charges go off,
+// and load_displacement.svg where supports move.
 #include <string>
 #include <vector>
 
@@ -9,7 +9,8 @@
 
 namespace talus {
 
-// Names of the supports that move, as the scene has them at the start: those that a script moves later have no curve.
+// Names of the supports that move, as the scene has them at the start: those that a script moves later have no
+// curve.
 std::vector<std::string> moving_names(const Model& model, const Plan& plan);
 
 // The load of a load–displacement curve. Entries of one name are one support.

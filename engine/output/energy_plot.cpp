@@ -38,7 +38,8 @@ std::string draw_energies(const Record& record, const Plan& plan) {
   for (size_t k = 0; k < terms.size(); ++k) {
     const bool stored = terms[k]->kind == EnergyTerm::stored || terms[k]->kind == EnergyTerm::sum;
     Series series = {.name = terms[k]->label, .x = record.times(), .y = record.column(k), .dashed = !stored};
-    if (largest_of(series.y) > visible * largest || terms[k]->kind == EnergyTerm::rest) plot.series.push_back(series);
+    if (largest_of(series.y) > visible * largest || terms[k]->kind == EnergyTerm::rest)
+      plot.series.push_back(series);
   }
   return draw_plot(plot);
 }

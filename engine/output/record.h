@@ -1,6 +1,6 @@
 #pragma once
-// Numbers over a run of any length, for a picture: every step at first, then every second, fourth, … one, so that there are
-// never many.
+// Numbers over a run of any length, for a picture: every step at first, then every second, fourth, … one, so that
+// there are never many.
 #include <functional>
 #include <vector>
 
@@ -10,7 +10,8 @@ namespace talus {
 
 class Record {
  public:
-  using Row = std::function<std::vector<double>()>;  // the numbers now, always as many; asked for when their turn has come
+  using Row =
+      std::function<std::vector<double>()>;  // the numbers now, always as many; asked for when their turn has come
   void after_step(long step, double time, const Row& row);
   void last(long step, double time, const Row& row);  // the state now, whether its turn has come or not
 

@@ -11,42 +11,56 @@ namespace talus {
 
 namespace {
 
-std::string pascal(double value) { return quantity(value, "Pa"); }
-std::string degrees(double radians) { return significant(radians * 180 / std::numbers::pi, 3) + "°"; }
-std::string metres(double value) { return quantity(value, "m"); }
-std::string per_cent(double part) { return significant(100 * part, 3) + " %"; }
+std::string pascal(double value) {
+  return quantity(value, "Pa");
+}
+std::string degrees(double radians) {
+  return significant(radians * 180 / std::numbers::pi, 3) + "°";
+}
+std::string metres(double value) {
+  return quantity(value, "m");
+}
+std::string per_cent(double part) {
+  return significant(100 * part, 3) + " %";
+}
 
 std::string who(const Model& model, int id) {
   const Joint& joint = model.joints[id];
   const Vec2 mid = model.place(joint.a, (joint.in_a[0] + joint.in_a[1]) / 2) + model.origin;
-  return "Joint " + std::to_string(id + 1) + ", " + metres(joint.length) + " long at (" + significant(mid.x(), 4) + ", " +
-         significant(mid.y(), 4) + ") m, between blocks " + std::to_string(joint.a + 1) + " and " + std::to_string(joint.b + 1) +
-         " of \"" + model.scene.regions[model.shapes[joint.a].region].name + "\", of the joint \"" +
-         model.scene.properties[joint.property].name + "\". ";
+  return "Joint " + std::to_string(id + 1) + ", " + metres(joint.length) + " long at (" + significant(mid.x(), 4) +
+         ", " + significant(mid.y(), 4) + ") m, between blocks " + std::to_string(joint.a + 1) + " and " +
+         std::to_string(joint.b + 1) + " of \"" + model.scene.regions[model.shapes[joint.a].region].name +
+         "\", of the joint \"" + model.scene.properties[joint.property].name + "\". ";
 }
 
 std::string carried(const BondTraction& t) {
-  const std::string normal = t.normal >= 0 ? "a tension of " + pascal(t.normal) : "a pressure of " + pascal(-t.normal);
+  const std::string normal =
+      t.normal >= 0 ? "a tension of " + pascal(t.normal) : "a pressure of " + pascal(-t.normal);
   return normal + " and a shear of " + pascal(std::abs(t.shear));
 }
 
 std::string left_of(const Strength& strength) {
-  return "friction " + degrees(strength.friction) + ", cohesion " + pascal(strength.cohesion) + ", tension " + pascal(strength.tension);
+  return "friction " + degrees(strength.friction) + ", cohesion " + pascal(strength.cohesion) + ", tension " +
+         pascal(strength.tension);
 }
 
 // How far each strength was used by `t`, and which of them governs.
 std::string judged(const Model& model, const Joint& joint, const BondTraction& t, double utilisation_then) {
   const JointProperty& property = model.scene.properties[joint.property];
-  if (property.criterion) return "The script's own criterion says that " + per_cent(utilisation_then) + " of its strength is used. ";
+  if (property.criterion)
+    return "The script's own criterion says that " + per_cent(utilisation_then) + " of its strength is used. ";
   const Strength strength = model.strength(joint);
   const Utilisation by = utilisation(t, strength);
-  if (by.most() == 0) return "Nothing pulls it apart, and friction alone holds the shear: none of its strength is used. ";
+  if (by.most() == 0)
+    return "Nothing pulls it apart, and friction alone holds the shear: none of its strength is used. ";
   std::string text;
-  if (by.tension > 0) text += "Tension: " + pascal(t.normal) + " of " + pascal(strength.tension) + ", " + per_cent(by.tension) + " used. ";
+  if (by.tension > 0)
+    text += "Tension: " + pascal(t.normal) + " of " + pascal(strength.tension) + ", " + per_cent(by.tension) +
+            " used. ";
   if (by.shear > 0)
     text += "Shear: |τ| + σ tan " + degrees(strength.friction) + " = " +
-            pascal(std::abs(t.shear) + t.normal * std::tan(strength.friction)) + " of the cohesion " + pascal(strength.cohesion) + ", " +
-            per_cent(by.shear) + " used. ";
+            pascal(std::abs(t.shear) + t.normal * std::tan(strength.friction)) + " of the cohesion " +
+            pascal(strength.cohesion) + ", " + per_cent(by.shear) + " used. ";
   return text + (by.tension >= by.shear ? "Tension governs. " : "Shear governs, by Mohr–Coulomb. ");
 }
 
@@ -60,16 +74,20 @@ std::string faces(const Model& model, int id) {
     slips = slips || c.state == ContactState::slip;
   }
   if (pressed > 0)
-    return "Its faces press on each other with " + pascal(pressed / model.joints[id].length) + " and " + (slips ? "slide." : "stick.");
+    return "Its faces press on each other with " + pascal(pressed / model.joints[id].length) + " and " +
+           (slips ? "slide." : "stick.");
   const auto& points = model.joints[id].points;
-  return "Its faces do not press on each other; they are " + metres(std::max(0.0, (points[0].opening + points[1].opening) / 2)) + " apart.";
+  return "Its faces do not press on each other; they are " +
+         metres(std::max(0.0, (points[0].opening + points[1].opening) / 2)) + " apart.";
 }
 
 std::string failed(const Model& model, int id) {
   const Joint& joint = model.joints[id];
-  constexpr const char* kinds[] = {"", "It was a crack of its own. ", "It let a crack grow on. ", "It joined two cracks. "};
-  std::string text = "It failed in " + std::string(joint.mode == FailureMode::shear ? "shear" : "tension") + " at t = " +
-                     quantity(joint.failed_at, "s", 4) + ", under " + carried(joint.failed_with) + ". ";
+  constexpr const char* kinds[] = {"", "It was a crack of its own. ", "It let a crack grow on. ",
+                                   "It joined two cracks. "};
+  std::string text = "It failed in " + std::string(joint.mode == FailureMode::shear ? "shear" : "tension") +
+                     " at t = " + quantity(joint.failed_at, "s", 4) + ", under " + carried(joint.failed_with) +
+                     ". ";
   text += judged(model, joint, joint.failed_with, joint.utilisation) + kinds[int(joint.crack)];
   return text + "What it has left: " + left_of(joint.remaining) + ". " + faces(model, id);
 }
@@ -80,7 +98,8 @@ std::string intact(const Model& model, const Joint& joint) {
   if (!model.scene.properties[joint.property].breaks)
     return "It is bonded and " + load + "Its joint gives no strength: it never fails.";
   std::string text = "It is intact and " + load + judged(model, joint, now, joint.utilisation);
-  if (joint.utilisation > 0) text += "It would fail at " + significant(1 / joint.utilisation, 3) + " times this traction.";
+  if (joint.utilisation > 0)
+    text += "It would fail at " + significant(1 / joint.utilisation, 3) + " times this traction.";
   return text;
 }
 

@@ -8,8 +8,8 @@
 #include "output/plot.h"
 #include "output/text.h"
 #include "script/lua_error.h"
-#include "script/simulation_view.h"
 #include "script/run.h"
+#include "script/simulation_view.h"
 #include "script/table_reader.h"
 
 namespace talus {
@@ -54,7 +54,8 @@ Plot read_plot(const TableReader& table) {
 // Where the simulation writes nothing this does not either; `talus plan` makes no results.
 void write(lua_State* L, const std::string& ending, const std::string& content) {
   Run& run = check_simulation(L, 1);
-  if (run.writes()) write_whole(run.simulation.model.scene.output.dir + "/" + luaL_checkstring(L, 2) + ending, content);
+  if (run.writes())
+    write_whole(run.simulation.model.scene.output.dir + "/" + luaL_checkstring(L, 2) + ending, content);
 }
 
 int native_plot(lua_State* L) {
@@ -84,7 +85,8 @@ int native_table(lua_State* L) {
 }  // namespace
 
 void add_plots(lua_State* L) {
-  constexpr luaL_Reg functions[] = {{"plot", guarded<native_plot>}, {"table", guarded<native_table>}, {nullptr, nullptr}};
+  constexpr luaL_Reg functions[] = {
+      {"plot", guarded<native_plot>}, {"table", guarded<native_table>}, {nullptr, nullptr}};
   luaL_setfuncs(L, functions, 0);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What a run keeps of its motion beside the present state: the peak velocity at each probe, and how high rock has flown.
+// What a run keeps of its motion beside the present state: the peak velocity at each probe, and how high rock has
+// flown.
 #include "model/model.h"
 
 namespace talus {
