@@ -54,6 +54,15 @@ class BlockMatrix {
       for (int i = j; i < size; ++i) m(i, j) = m(j, i) = values[column_begin_[first + j] + i - j];
   }
 
+  // The submatrix of a pair, row > column; `m` has at least its size.
+  template <typename Derived>
+  void part(int row, int column, Eigen::MatrixBase<Derived>& m) const {
+    const Slot at = slot(row, column);
+    const int first = begin_[column];
+    for (int j = 0; j < sizes_[column]; ++j)
+      for (int i = 0; i < sizes_[row]; ++i) m(i, j) = values[column_begin_[first + j] + at.offset - j + i];
+  }
+
   int dimension() const { return int(column_begin_.size()) - 1; }
   int block_count() const { return int(sizes_.size()); }
   int block_of_unknown(int unknown) const;

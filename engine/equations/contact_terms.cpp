@@ -45,7 +45,9 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     row.kn = contact.normal_stiffness;
     row.ks = contact.shear_stiffness;
     row.friction = stick ? std::numeric_limits<double>::infinity() : std::tan(strength.friction);
-    row.cohesion = strength.cohesion * contact.length;
+    // Cohesion belongs to faces that were pressed together when the step began: a law in which it came and went with the
+    // force that depends on it has no solution at a wedge.
+    row.cohesion = contact.normal_force <= 0 ? 0 : strength.cohesion * contact.length;
     const double pushed = near_part * std::min(shape_i.length, shape_j.length) +
                           0.5 * scheme.contact_v * std::hypot(approach, sliding);
     const double widened = nearness.empty() ? 1 : std::max(nearness[contact.i], nearness[contact.j]);

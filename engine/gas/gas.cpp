@@ -157,6 +157,7 @@ bool Gas::agrees(const std::vector<BlockState>& moved) {
     }
     guess.pressure = model_.gas_pressure[c];
     guess.volume = volume;
+    guess.swept = swept_by_faces(model_, int(c), moved);
     guess.offset = volume - guess.slope * guess.pressure;
     ++guess.solves;
     const double wanted = mean_pressure(chamber, volume);
@@ -175,7 +176,8 @@ void Gas::end_step(double dt) {
     Chamber& chamber = chambers_[c];
     const Guess& guess = guess_[c];
     if (guess.pressure == 0 || chamber.state == Chamber::State::merged) continue;
-    chamber.work += guess.pressure * (guess.volume - chamber.volume);
+    chamber.work += guess.pressure * guess.swept;
+    chamber.joined += guess.volume - chamber.volume - guess.swept;
     chamber.volume = guess.volume;
     chamber.gain = guess.slope / (dt * dt);
     chamber.yield = (guess.offset - guess.free) / (dt * dt);

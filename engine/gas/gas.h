@@ -81,6 +81,7 @@ class Gas {
   struct Guess {
     double free = 0;            // m3, where the blocks fly by themselves
     double pressure = 0, volume = 0;  // the last solve
+    double swept = 0;                 // m3, by the faces under gas: the rest of what the volume grows by is filled without work
     int solves = 0;
     double slope = 0, offset = 0;     // volume = offset + slope · pressure
   };

@@ -157,4 +157,16 @@ void add_gas_faces(const Model& model, int chamber, const std::vector<int>& wall
   }
 }
 
+double swept_by_faces(const Model& model, int chamber, const std::vector<BlockState>& moved) {
+  double volume = 0;
+  for (const GasFace& face : model.gas_faces) {
+    if (face.chamber != chamber) continue;
+    const Pose then = flown(model, face.block, 0), now = flown(model.shapes[face.block], moved[face.block], 0);
+    const Vec2 from = then.place(face.in_block[0]), to = then.place(face.in_block[1]);
+    const Vec2 from_now = now.place(face.in_block[0]), to_now = now.place(face.in_block[1]);
+    volume += perp(to + to_now - from - from_now).dot(from_now + to_now - from - to) / 4;
+  }
+  return volume;
+}
+
 }  // namespace talus

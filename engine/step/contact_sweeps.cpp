@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace talus {
 
@@ -10,6 +11,8 @@ namespace {
 
 // Pairs of sweeps after which a restart of the momentum by growth of the change is allowed: it takes a few to build up.
 constexpr int least_run = 5;
+// Blocks. The larger the patches the fewer the sweeps; a patch costs the cube of its unknowns.
+constexpr size_t most_in_patch = 6;
 
 DofColumn padded(const Row& row, int size) {
   DofColumn column = DofColumn::Zero();
@@ -18,12 +21,13 @@ DofColumn padded(const Row& row, int size) {
 }
 
 // The law of one contact: gap = gap0 + nn n - ns t, slide = slide0 + ns n - ss t, stiffness included in nn and ss, so
-// pressed and sticking mean gap = 0 and slide = 0.
+// pressed and sticking mean gap = 0 and slide = 0. Cohesion holds at n = 0 too (ContactTerms::linearise).
 ContactSweeps::Forces coulomb(double gap0, double slide0, double nn, double ns, double ss, double friction, double cohesion) {
   const double det = nn * ss - ns * ns;  // > 0: a contact's own compliance is in both
   const double n = (-gap0 * ss + slide0 * ns) / det, t = (nn * slide0 - ns * gap0) / det;
   if (n > 0 && std::abs(t) <= friction * n + cohesion) return {n, t};
-  if (gap0 >= 0 && n <= 0) return {0, 0};
+  const double alone = std::clamp(slide0 / ss, -cohesion, cohesion);
+  if (gap0 - ns * alone >= 0 && n <= 0) return {0, alone};
   // Sliding towards where sticking would ask too much, else the other way.
   for (const double way : {t > 0 ? 1.0 : -1.0, t > 0 ? -1.0 : 1.0}) {
     const double steep = nn - way * ns * friction;  // not positive: it would wedge itself without bound
@@ -33,10 +37,10 @@ ContactSweeps::Forces coulomb(double gap0, double slide0, double nn, double ns, 
     const double limit = friction * pressed + cohesion;
     if (way * (slide0 + ns * pressed) - ss * limit >= 0) return {pressed, way * limit};
   }
-  if (gap0 >= 0) return {0, 0};
+  if (gap0 - ns * alone >= 0) return {0, alone};
   // Nothing fits to the last digit, at the border of two cases: the nearest of sticking.
   const double pressed = std::max(n, 0.0), limit = friction * pressed + cohesion;
-  return {pressed, pressed > 0 ? std::clamp(t, -limit, limit) : 0};
+  return {pressed, std::clamp(t, -limit, limit)};
 }
 
 }  // namespace
@@ -45,98 +49,179 @@ void ContactSweeps::start(const ContactProblem& problem, bool swept) {
   problem_ = &problem;
   const System& system = problem.system;
   factor_ = problem.contacts.factor();
-  const int count = int(problem.blocks.size());
-  std::vector<char> loose(count);
-  whole_ = swept;
-  for (int b = 0; b < count; ++b) {
-    loose[b] = swept && problem.dofs[b] > 0 && !problem.bonded[b];
-    if (problem.dofs[b] > 0 && problem.bonded[b]) whole_ = false;
-  }
-  blocks_.clear();
-  std::vector<int> place(count, -1);
-  for (int b = 0; b < count; ++b)
-    if (loose[b]) {
-      place[b] = int(blocks_.size());
-      blocks_.push_back(b);
-    }
-  const size_t loose_count = blocks_.size();
-  inverse_.assign(loose_count, DofMatrix::Zero());
-  force_.assign(loose_count + 1, DofColumn::Zero());
-  motion_.assign(loose_count + 1, DofColumn::Zero());
-  for (size_t l = 0; l < loose_count; ++l) {
-    const int dofs = problem.dofs[blocks_[l]];
-    DofMatrix matrix = DofMatrix::Identity();
-    system.matrix.diagonal(blocks_[l], matrix);
-    inverse_[l] = matrix.inverse();
-    for (int k = dofs; k < max_dofs; ++k) inverse_[l](k, k) = 0;
-    force_[l].head(dofs) = system.force.segment(problem.dof_begin[blocks_[l]], dofs);
-  }
   contacts_.clear();
+  with_.clear();
+  blocks_.clear();
+  patches_.clear();
+  if (!swept) return;
+  std::vector<int> place(problem.blocks.size(), -1);
+  for (size_t b = 0; b < place.size(); ++b)
+    if (problem.dofs[b] > 0) {
+      place[b] = int(blocks_.size());
+      blocks_.push_back(int(b));
+    }
+  const size_t count = blocks_.size();
+  force_.assign(count + 1, DofColumn::Zero());
+  motion_.assign(count + 1, DofColumn::Zero());
+  bond_.assign(count, DofColumn::Zero());
+  for (size_t l = 0; l < count; ++l)
+    force_[l].head(problem.dofs[blocks_[l]]) =
+        system.force.segment(problem.dof_begin[blocks_[l]], problem.dofs[blocks_[l]]);
+  ties_.assign(count, {});
+  DofMatrix coupling = DofMatrix::Zero();
+  for (const auto& [column, row] : system.matrix.pairs()) {
+    if (row == column || place[row] < 0 || place[column] < 0) continue;
+    system.matrix.part(row, column, coupling);
+    if (coupling.isZero(0)) continue;  // they only touch
+    ties_[place[row]].push_back({place[column], coupling});
+    ties_[place[column]].push_back({place[row], coupling.transpose()});
+  }
+  find_patches();
   const auto& rows = problem.contacts.rows();
-  for (size_t k = 0; k < rows.size(); ++k) {
-    const ContactRows& c = rows[k];
-    if (!rows[k].near || (!loose[c.i] && !loose[c.j])) continue;
-    const ContactRows& row = rows[k];
-    Link link{};
-    link.i = loose[c.i] ? place[c.i] : int(loose_count);
-    link.j = loose[c.j] ? place[c.j] : int(loose_count);
-    const DofMatrix zero = DofMatrix::Zero();
-    const DofMatrix &ki = loose[c.i] ? inverse_[link.i] : zero, &kj = loose[c.j] ? inverse_[link.j] : zero;
-    link.normal_i = padded(row.normal_i, loose[c.i] ? row.size_i : 0);
-    link.normal_j = padded(row.normal_j, loose[c.j] ? row.size_j : 0);
-    link.shear_i = padded(row.shear_i, loose[c.i] ? row.size_i : 0);
-    link.shear_j = padded(row.shear_j, loose[c.j] ? row.size_j : 0);
-    link.moved_ni = ki * link.normal_i;
-    link.moved_nj = kj * link.normal_j;
-    link.moved_si = ki * link.shear_i;
-    link.moved_sj = kj * link.shear_j;
-    link.nn = factor_ * (link.normal_i.dot(link.moved_ni) + link.normal_j.dot(link.moved_nj));
-    link.ns = factor_ * (link.normal_i.dot(link.moved_si) + link.normal_j.dot(link.moved_sj));
-    link.ss = factor_ * (link.shear_i.dot(link.moved_si) + link.shear_j.dot(link.moved_sj));
-    link.soft_n = 1 / row.kn;
-    link.soft_s = 1 / row.ks;
-    link.friction = row.friction;
-    link.cohesion = row.cohesion;
-    link.contact = int(k);
-    contacts_.push_back(link);
+  for (size_t k = 0; k < rows.size(); ++k)
+    if (rows[k].near && (place[rows[k].i] >= 0 || place[rows[k].j] >= 0)) add_link(rows[k], int(k), place);
+}
+
+// Blocks that hang together, a few at a time, breadth first.
+void ContactSweeps::find_patches() {
+  const int count = int(blocks_.size());
+  patch_of_.assign(size_t(count) + 1, -1);
+  rank_.assign(size_t(count) + 1, 0);
+  for (int first = 0; first < count; ++first) {
+    if (patch_of_[first] >= 0) continue;
+    const int own = int(patches_.size());
+    Patch& patch = patches_.emplace_back();
+    patch.blocks = {first};
+    patch_of_[first] = own;
+    for (size_t k = 0; k < patch.blocks.size(); ++k)
+      for (const Tie& tie : ties_[patch.blocks[k]]) {
+        if (patch_of_[tie.other] >= 0 || patch.blocks.size() >= most_in_patch) continue;
+        patch_of_[tie.other] = own;
+        patch.blocks.push_back(tie.other);
+      }
+    const Eigen::Index size = Eigen::Index(patch.blocks.size());
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(size * max_dofs, size * max_dofs);
+    for (Eigen::Index k = 0; k < size; ++k) rank_[patch.blocks[k]] = int(k);
+    DofMatrix diagonal;
+    for (Eigen::Index k = 0; k < size; ++k) {
+      diagonal.setIdentity();
+      const int block = patch.blocks[k];
+      problem_->system.matrix.diagonal(blocks_[block], diagonal);
+      matrix.block<max_dofs, max_dofs>(k * max_dofs, k * max_dofs) = diagonal;
+      auto& ties = ties_[block];
+      for (const Tie& tie : ties)
+        if (patch_of_[tie.other] == own)
+          matrix.block<max_dofs, max_dofs>(k * max_dofs, rank_[tie.other] * max_dofs) = tie.k;
+      std::erase_if(ties, [&](const Tie& tie) { return patch_of_[tie.other] == own; });
+      patch.tied = patch.tied || !ties.empty();
+    }
+    patch.inverse = matrix.inverse();
+    for (Eigen::Index k = 0; k < size; ++k)
+      for (int dof = problem_->dofs[blocks_[patch.blocks[k]]]; dof < max_dofs; ++dof)
+        patch.inverse.col(k * max_dofs + dof).setZero();
   }
 }
 
+void ContactSweeps::add_link(const ContactRows& row, int contact, const std::vector<int>& place) {
+  const int held = int(blocks_.size());
+  Link& link = contacts_.emplace_back();
+  link.i = place[row.i] >= 0 ? place[row.i] : held;
+  link.j = place[row.j] >= 0 ? place[row.j] : held;
+  link.normal_i = padded(row.normal_i, link.i < held ? row.size_i : 0);
+  link.normal_j = padded(row.normal_j, link.j < held ? row.size_j : 0);
+  link.shear_i = padded(row.shear_i, link.i < held ? row.size_i : 0);
+  link.shear_j = padded(row.shear_j, link.j < held ? row.size_j : 0);
+  for (DofColumn* moved : {&link.moved_ni, &link.moved_nj, &link.moved_si, &link.moved_sj}) moved->setZero();
+  link.with_begin = int(with_.size());
+  for (const auto& [block, normal, shear] : {std::tuple{link.i, &link.normal_i, &link.shear_i}, {link.j, &link.normal_j, &link.shear_j}}) {
+    if (block == held) continue;
+    const Patch& patch = patches_[patch_of_[block]];
+    for (const int moved : patch.blocks) {
+      const auto inverse = patch.inverse.block<max_dofs, max_dofs>(rank_[moved] * max_dofs, rank_[block] * max_dofs);
+      const DofColumn n = inverse * *normal, s = inverse * *shear;
+      if (moved == link.i || moved == link.j) {
+        (moved == link.i ? link.moved_ni : link.moved_nj) += n;
+        (moved == link.i ? link.moved_si : link.moved_sj) += s;
+        continue;
+      }
+      const auto own = std::find_if(with_.begin() + link.with_begin, with_.end(), [&](const With& w) { return w.block == moved; });
+      if (own == with_.end()) {
+        with_.push_back({moved, n, s});
+      } else {
+        own->n += n;
+        own->s += s;
+      }
+    }
+  }
+  link.with_end = int(with_.size());
+  link.nn = factor_ * (link.normal_i.dot(link.moved_ni) + link.normal_j.dot(link.moved_nj));
+  link.ns = factor_ * (link.normal_i.dot(link.moved_si) + link.normal_j.dot(link.moved_sj));
+  link.ss = factor_ * (link.shear_i.dot(link.moved_si) + link.shear_j.dot(link.moved_sj));
+  link.soft_n = 1 / row.kn;
+  link.soft_s = 1 / row.ks;
+  link.friction = row.friction;
+  link.cohesion = row.cohesion;
+  link.contact = contact;
+}
+
 void ContactSweeps::rebuild() {
-  const size_t count = blocks_.size();
   std::vector<DofColumn> sum = force_;
   for (const Link& link : contacts_) {
     sum[link.i] += link.n * link.normal_i - link.t * link.shear_i;
     sum[link.j] += link.n * link.normal_j - link.t * link.shear_j;
   }
-  for (size_t l = 0; l < count; ++l) motion_[l] = inverse_[l] * sum[l];
+  for (size_t l = 0; l < bond_.size(); ++l) sum[l] += bond_[l];
+  for (const Patch& patch : patches_)
+    for (const int b : patch.blocks) {
+      motion_[b].setZero();
+      for (const int other : patch.blocks)
+        motion_[b] += patch.inverse.block<max_dofs, max_dofs>(rank_[b] * max_dofs, rank_[other] * max_dofs) * sum[other];
+    }
+}
+
+void ContactSweeps::relax(const Patch& patch) {
+  if (!patch.tied) return;
+  for (const int b : patch.blocks) {
+    if (ties_[b].empty()) continue;
+    DofColumn force = DofColumn::Zero();
+    for (const Tie& tie : ties_[b]) force -= tie.k * motion_[tie.other];
+    const DofColumn change = force - bond_[b];
+    bond_[b] = force;
+    for (const int moved : patch.blocks)
+      motion_[moved] += patch.inverse.block<max_dofs, max_dofs>(rank_[moved] * max_dofs, rank_[b] * max_dofs) * change;
+  }
 }
 
 void ContactSweeps::settle(Link& link) {
   DofColumn &di = motion_[link.i], &dj = motion_[link.j];
   const double gap = link.gap0 + factor_ * (link.normal_i.dot(di) + link.normal_j.dot(dj));
-  if (link.n == 0 && gap >= 0) return;
+  if (link.n == 0 && gap >= 0 && link.cohesion == 0) return;
   const double slide = link.slide0 + factor_ * (link.shear_i.dot(di) + link.shear_j.dot(dj));
   const Forces now = coulomb(gap - link.nn * link.n + link.ns * link.t, slide - link.ns * link.n + link.ss * link.t,
                              link.nn + link.soft_n, link.ns, link.ss + link.soft_s, link.friction, link.cohesion);
   const double dn = now.n - link.n, dt = now.t - link.t;
+  if (dn == 0 && dt == 0) return;
   di += dn * link.moved_ni - dt * link.moved_si;
   dj += dn * link.moved_nj - dt * link.moved_sj;
+  for (int k = link.with_begin; k < link.with_end; ++k) motion_[with_[k].block] += dn * with_[k].n - dt * with_[k].s;
   link.n = now.n;
   link.t = now.t;
 }
 
 void ContactSweeps::sweep(bool backwards) {
-  if (backwards)
+  if (backwards) {
+    for (auto patch = patches_.rbegin(); patch != patches_.rend(); ++patch) relax(*patch);
     for (auto link = contacts_.rbegin(); link != contacts_.rend(); ++link) settle(*link);
-  else
+  } else {
     for (Link& link : contacts_) settle(link);
+    for (const Patch& patch : patches_) relax(patch);
+  }
 }
 
 // The forces of a contact, cut to what it can carry.
 void ContactSweeps::carry_on(Link& link, double n, double t) {
   link.n = std::max(0.0, n);
-  const double limit = link.n > 0 ? link.friction * link.n + link.cohesion : 0;
+  const double limit = (link.n > 0 ? link.friction * link.n : 0) + link.cohesion;
   link.t = std::clamp(t, -limit, limit);
 }
 
@@ -158,24 +243,25 @@ void ContactSweeps::mix(const std::vector<Forces>& from, Mixing& mixing) {
 ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, Carry carry, std::vector<double>& normal,
                                            std::vector<double>& shear, Vector& d) {
   const auto& rows = problem_->contacts.rows();
-  const int loose = int(blocks_.size());
+  const int blocks = int(blocks_.size());
   for (Link& link : contacts_) {
     const ContactRows& row = rows[link.contact];
     link.gap0 = row.gap0;
     link.slide0 = row.slide0;
-    if (link.i == loose && row.size_i) {
-      link.gap0 += factor_ * dot(row.normal_i, &d[row.dof_i], row.size_i);
-      link.slide0 += factor_ * dot(row.shear_i, &d[row.dof_i], row.size_i);
-    }
-    if (link.j == loose && row.size_j) {
-      link.gap0 += factor_ * dot(row.normal_j, &d[row.dof_j], row.size_j);
-      link.slide0 += factor_ * dot(row.shear_j, &d[row.dof_j], row.size_j);
-    }
     link.n = normal[link.contact];
     link.t = shear[link.contact];
   }
+  for (int l = 0; l < blocks; ++l) {
+    motion_[l].setZero();
+    motion_[l].head(problem_->dofs[blocks_[l]]) = d.segment(problem_->dof_begin[blocks_[l]], problem_->dofs[blocks_[l]]);
+  }
+  for (int l = 0; l < blocks; ++l) {
+    bond_[l].setZero();
+    for (const Tie& tie : ties_[l]) bond_[l] -= tie.k * motion_[tie.other];
+  }
   rebuild();
   const size_t count = contacts_.size();
+  std::vector<DofColumn> bond_from, bond_last = bond_;
   std::vector<Forces> from(count), last(count);  // before the present pair; after the one before it
   for (size_t k = 0; k < count; ++k) last[k] = {contacts_[k].n, contacts_[k].t};
   Progress progress;
@@ -185,6 +271,7 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, C
   int since = 0;
   while (progress.pairs < most) {
     for (size_t k = 0; k < count; ++k) from[k] = {contacts_[k].n, contacts_[k].t};
+    bond_from = bond_;
     sweep(false);
     sweep(true);
     ++progress.pairs;
@@ -196,7 +283,14 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, C
       level += link.n * link.n;
       turned -= dn * (link.n - last[k].n) + dt * (link.t - last[k].t);
     }
+    for (int l = 0; l < blocks; ++l) {
+      const DofColumn db = bond_[l] - bond_from[l];
+      change += db.squaredNorm();
+      level += bond_[l].squaredNorm();
+      turned -= db.dot(bond_[l] - bond_last[l]);
+    }
     progress.change = level > 0 ? std::sqrt(change / level) : 0;
+    progress.moved = std::sqrt(change);
     if (progress.change <= enough) break;
     if (progress.pairs % 10 == 0) {
       if (worth > 0 && decade > 0 && !(progress.change < decade * std::pow(enough / progress.change, 10.0 / worth))) break;
@@ -223,6 +317,11 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, C
       if (momentum > 0) carry_on(link, now.n + momentum * (now.n - last[k].n), now.t + momentum * (now.t - last[k].t));
       last[k] = now;
     }
+    for (int l = 0; l < blocks; ++l) {
+      const DofColumn now = bond_[l];
+      if (momentum > 0) bond_[l] += momentum * (now - bond_last[l]);
+      bond_last[l] = now;
+    }
     if (momentum > 0) rebuild();
   }
   rebuild();
@@ -230,7 +329,7 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, C
     normal[link.contact] = link.n;
     shear[link.contact] = link.t;
   }
-  for (int l = 0; l < loose; ++l) {
+  for (int l = 0; l < blocks; ++l) {
     const int dofs = problem_->dofs[blocks_[l]];
     d.segment(problem_->dof_begin[blocks_[l]], dofs) = motion_[l].head(dofs);
   }

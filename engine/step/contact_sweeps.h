@@ -20,8 +20,6 @@ class ContactSweeps {
   // Takes the loose blocks of the problem and the contacts on them, or none: they are not to be swept. O(blocks + contacts).
   void start(const ContactProblem& problem, bool swept = true);
   bool empty() const { return contacts_.empty(); }
-  // Whether every block with unknowns is loose, so that sweeps alone can solve the step.
-  bool whole() const { return whole_; }
 
   // Sweeps, forwards and backwards, from the forces (N; per contact of the step), at most `most` of each, until the
   // forces change by no more than `enough` of their norm. d: unknowns, of which those of loose blocks are set. With `worth`
@@ -29,34 +27,55 @@ class ContactSweeps {
   struct Progress {
     int pairs = 0;
     double change = 0;  // of the last pair, part of the norm of all forces
+    double moved = 0;   // the same, N: comparable where forces are wound up
   };
   Progress run(int most, double enough, int worth, Carry carry, std::vector<double>& normal, std::vector<double>& shear, Vector& d);
 
  private:
   struct Link {
-    DofColumn normal_i, normal_j, shear_i, shear_j;      // rows; zero for what is not loose
-    DofColumn moved_ni, moved_nj, moved_si, moved_sj;    // K⁻¹ row: motion of the blocks under unit force
+    DofColumn normal_i, normal_j, shear_i, shear_j;      // rows; zero for what does not move
+    DofColumn moved_ni, moved_nj, moved_si, moved_sj;    // motion of the blocks under unit force
     double nn, ns, ss;      // m/N: gap and slide under unit forces, without the contact's own compliance
-    double gap0, slide0;    // m, with the bonded blocks' motion
+    double gap0, slide0;    // m
     double soft_n, soft_s;  // m/N, 1 / stiffness
     double friction, cohesion;
-    int i, j;               // into blocks_; the last one stands for all that is not loose
+    int i, j;               // into blocks_; the last one stands for all that is held
+    int with_begin, with_end;  // into with_
     int contact;
     double n = 0, t = 0;    // N
   };
+  struct With {  // a block that a contact moves because it hangs together with those it is on
+    int block;
+    DofColumn n, s;
+  };
+  struct Tie {  // K of this block over the displacements of one of another patch
+    int other;
+    DofMatrix k;
+  };
+  struct Patch {  // of blocks that hang together by bonds, few enough for a matrix of their own
+    std::vector<int> blocks;
+    Eigen::MatrixXd inverse;  // max_dofs a block; zero for unknowns that are none
+    bool tied = false;        // to other patches
+  };
+  void find_patches();
+  void add_link(const ContactRows& row, int contact, const std::vector<int>& place);
   void settle(Link& link);
+  void relax(const Patch& patch);
   void rebuild();  // motions_ from the forces
   void sweep(bool backwards);
   void carry_on(Link& link, double n, double t);
   void mix(const std::vector<Forces>& from, Mixing& mixing);
 
   std::vector<Link> contacts_;
-  std::vector<int> blocks_;               // of the problem, the loose ones
-  std::vector<DofMatrix> inverse_;
-  std::vector<DofColumn> force_, motion_;  // of loose blocks, and a zero at the end
+  std::vector<With> with_;
+  std::vector<int> blocks_;  // of the problem, those that move
+  std::vector<Patch> patches_;
+  std::vector<int> patch_of_, rank_;  // of each block, and its place there
+  std::vector<std::vector<Tie>> ties_;
+  std::vector<DofColumn> force_, motion_;  // of blocks_, and a zero at the end
+  std::vector<DofColumn> bond_;  // force on a block by its ties, as its patch was last relaxed
   const ContactProblem* problem_ = nullptr;
   double factor_ = 1;
-  bool whole_ = false;
 };
 
 }  // namespace talus

@@ -7,12 +7,17 @@
 
 namespace talus {
 
+namespace {
+constexpr double sweep_effort = 0.01;  // of a factor: a sweep over some contacts a block
+}
+
 struct IslandSolver::Step {
   const Model& model;
   const System& system;
   const ContactTerms& contacts;
   const OpenCloseSettings& settings;
   double dt;
+  const Vector& start;  // or empty
 };
 
 void IslandSolver::find(const Model& model, const ContactTerms& contacts, bool together) {
@@ -24,10 +29,12 @@ void IslandSolver::find(const Model& model, const ContactTerms& contacts, bool t
 
 IslandResult IslandSolver::solve(const Model& model, const System& system, const ContactTerms& contacts,
                                  const OpenCloseSettings& settings, double dt, Vector& d) {
-  const Step step{model, system, contacts, settings, dt};
   IslandResult result;
   result.converged = true;
+  Vector start;
+  start.swap(d);
   d.setZero(system.force.size());
+  const Step step{model, system, contacts, settings, dt, start};
   converged_.assign(size_t(islands_.count()), 1);
   missed_.clear();
   ++solve_;
@@ -108,6 +115,12 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
                place_);
   problem.take_matrix(step.system, place_);
   Vector own_d;
+  if (step.start.size() > 0) {
+    own_d.resize(problem.system.force.size());
+    for (size_t l = 0; l < problem.blocks.size(); ++l)
+      own_d.segment(problem.dof_begin[l], problem.dofs[l]) =
+          step.start.segment(step.model.shapes[problem.blocks[l]].dof_begin, problem.dofs[l]);
+  }
   const long before = problem.solver.factorisations;
   OpenCloseResult own = open_close_.solve(problem, step.settings, own_d);
   if (!own_d.allFinite()) own.converged = false;
@@ -117,6 +130,7 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
   result.solves += own.iterations;
   result.sweeps += own.sweeps;
   result.factorisations += problem.solver.factorisations - before;
+  result.effort += (own.iterations + sweep_effort * own.sweeps) * double(problem.blocks.size()) / double(step.model.shapes.size());
   ++(own.iterations == 0 ? result.islands.by_sweeps : result.islands.with_factor);
   result.iterations = std::max(result.iterations, own.iterations);
   if (!own.converged || !(own.residual <= result.residual)) {

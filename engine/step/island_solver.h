@@ -13,6 +13,7 @@ namespace talus {
 struct IslandResult : OpenCloseResult {  // iterations, residual: of the worst island; sweeps: of all
   long solves = 0;                       // iterations of all
   long factorisations = 0;
+  double effort = 0;                     // in factors of the whole scene
   IslandCounts islands;
 };
 
@@ -26,7 +27,7 @@ class IslandSolver {
  public:
   // After every assembly. together: the scene as one island.
   void find(const Model& model, const ContactTerms& contacts, bool together);
-  // d of all islands. dt: where what moves by no more than rounding in it and is in balance stays; 0: all is
+  // d of all islands, looked for from where it is unless it is empty. dt: where what moves by no more than rounding in it and is in balance stays; 0: all is
   // solved.
   IslandResult solve(const Model& model, const System& system, const ContactTerms& contacts,
                      const OpenCloseSettings& settings, double dt, Vector& d);

@@ -177,7 +177,7 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
     }
     if (c.stretch != 0 || b.stretch != 0)
       ledger.numerical_flow += c.shear_stiffness / 2 * squared(c.stretch - b.stretch);
-    if (c.normal_force <= 0) continue;
+    if (c.state == ContactState::open) continue;
     const ContactRows& row = rows[k];
     const double faster = scheme.velocity_d * row.along(row.shear_i, row.shear_j, d);
     ledger.numerical_flow -= c.shear_force * scheme.bond_ahead * faster;

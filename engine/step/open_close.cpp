@@ -16,7 +16,6 @@ constexpr int pairs_between =
 constexpr int mixed_pairs = 300;  // where Newton's step has led away
 using Carry = ContactSweeps::Carry;
 constexpr int patience = 3;  // iterations that do not halve the change of the sweeps, before the step is cut
-constexpr int pairs_among_bonds = 30;
 constexpr int pairs_alone = 10000;  // where no factor is allowed: as tests/contact gives its candidates
 constexpr int few = 20;             // one state in so many has changed: the coupled law is tried
 constexpr int most_coupled = 4;     // steps of the coupled law in a row
@@ -27,17 +26,23 @@ constexpr double sweep_tolerance =
 
 OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d) {
   OpenCloseResult result;
-  d.setZero(problem.system.force.size());
   start(problem);
-  evaluate(problem, d);
+  if (d.size() == 0) {
+    d.setZero(problem.system.force.size());
+    evaluate(problem, d);
+  } else {
+    problem.system.matrix.multiply(d, kd_);
+    arrive(problem, d, result);
+    forces_at_present(problem);
+  }
   const bool swept = settings.motion && settings.solver != ContactSolver::factor;
-  sweeps_.start(problem, swept);
-  if (sweeps_.whole() && settings.solver == ContactSolver::sweeps)
+  if (swept) sweeps_.start(problem);
+  if (swept && settings.solver == ContactSolver::sweeps)
     solve_by_sweeps(problem, settings.tolerance, d, result);
-  else if (sweeps_.whole())
+  else if (swept)
     solve_motion(problem, settings, d, result);
   else
-    solve_bonded(problem, settings, d, result);
+    solve_by_newton(problem, settings, d, result);
   return result;
 }
 
@@ -87,10 +92,9 @@ void OpenClose::solve_by_sweeps(ContactProblem& problem, double tolerance, Vecto
   result.missed = !result.converged && missed_;
 }
 
-// Where blocks hang together by bonds, and in equilibrium, where nothing but neighbours holds a block: Newton's
-// steps, of the coupled law where the states have settled, else of the convex potential. In motion loose blocks
-// are then brought to rest among the others by sweeps, where that lowers the residual.
-void OpenClose::solve_bonded(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
+// In equilibrium, where nothing but neighbours holds a block, or where asked for: Newton's steps, of the coupled law
+// where the states have settled, else of the convex potential.
+void OpenClose::solve_by_newton(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
                              OpenCloseResult& result) {
   const double tolerance = settings.tolerance;
   const auto& rows = problem.contacts.rows();
@@ -102,21 +106,6 @@ void OpenClose::solve_bonded(ContactProblem& problem, const OpenCloseSettings& s
       predict(problem, d, result);
     else if (changed_states(problem) > 0 || !coupled_step(problem, tolerance, d, result))
       convex_step(problem, d, result);
-    if (!sweeps_.empty() && result.residual > tolerance) {
-      const OpenCloseResult before = result;
-      const Vector d0 = d, kd0 = kd_;
-      for (size_t k = 0; k < rows.size(); ++k) {
-        normal_[k] = normal_force(rows[k], k);
-        const double limit = friction_limit(rows[k], normal_[k]);
-        shear_[k] = std::clamp(rows[k].ks * slide_[k], -limit, limit);
-      }
-      sweep(problem, pairs_among_bonds, 0, Carry::momentum, d, result);
-      if (!(result.residual < before.residual)) {
-        d = d0;
-        kd_ = kd0;
-        arrive(problem, d, result);
-      }
-    }
     result.converged = result.residual <= tolerance;
     if (!std::isfinite(result.residual)) return;
     for (size_t k = 0; k < rows.size(); ++k) stuck_[k] = std::abs(rows[k].ks * slide_[k]) < limit_[k];
@@ -129,11 +118,19 @@ int OpenClose::changed_states(const ContactProblem& problem) const {
   const auto& rows = problem.contacts.rows();
   int changed = 0;
   for (size_t k = 0; k < rows.size(); ++k) {
-    if (!closed_[k] && !factored_closed_[k]) continue;
-    const bool stuck = closed_[k] && std::abs(rows[k].ks * slide_[k]) < limit_[k];
+    const bool stuck = std::abs(rows[k].ks * slide_[k]) < limit_[k];
     changed += closed_[k] != factored_closed_[k] || stuck != bool(factored_stuck_[k]);
   }
   return changed;
+}
+
+void OpenClose::forces_at_present(const ContactProblem& problem) {
+  const auto& rows = problem.contacts.rows();
+  for (size_t k = 0; k < rows.size(); ++k) {
+    normal_[k] = normal_force(rows[k], k);
+    const double limit = friction_limit(rows[k], normal_[k]);
+    shear_[k] = std::clamp(rows[k].ks * slide_[k], -limit, limit);
+  }
 }
 
 // The forces of the last solve, cut to what contacts can carry; what has met since carries none yet.
@@ -152,7 +149,7 @@ void OpenClose::take_states(const ContactProblem& problem) {
   for (size_t k = 0; k < normal_.size(); ++k) {
     closed_[k] = normal_[k] > 0;
     stuck_[k] =
-        closed_[k] && std::abs(shear_[k]) < (1 - 1e-12) * friction_limit(problem.contacts.rows()[k], normal_[k]);
+        std::abs(shear_[k]) < (1 - 1e-12) * friction_limit(problem.contacts.rows()[k], normal_[k]);
   }
 }
 
@@ -160,7 +157,7 @@ double OpenClose::sweep(const ContactProblem& problem, int most, int worth, Cont
                         OpenCloseResult& result) {
   const auto progress = sweeps_.run(most, sweep_tolerance, worth, carry, normal_, shear_, d);
   result.sweeps += 2 * progress.pairs;
-  result.sweep_change = progress.change;
+  result.sweep_change = progress.moved;
   kd_.setZero(d.size());
   problem.system.matrix.multiply(d, kd_);
   arrive(problem, d, result);

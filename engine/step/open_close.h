@@ -1,8 +1,8 @@
 #pragma once
 // The contact solution of a step: which contacts are open, which stick, which slip, and the unknowns that go with
-// it. Loose assemblies in motion are solved by sweeps over contact forces with Newton's steps between them; bonded
-// blocks, and equilibrium, by Newton's steps on the coupled Coulomb law where states have settled, else on the
-// convex potential of springs and of friction at a frozen normal force (docs/theory.md, § 6). A solution is
+// it. Motion is solved by sweeps over contact forces with Newton's steps between them; equilibrium by Newton's steps
+// on the coupled Coulomb law where states have settled, else on the convex potential of springs and of friction
+// at a frozen normal force (docs/theory.md, § 6). A solution is
 // accepted only when the residual of the coupled law, friction at the present normal force, is below its tolerance
 // in every block: not when the states have stopped flipping.
 #include <algorithm>
@@ -17,7 +17,7 @@ struct OpenCloseResult {
   bool missed = false;  // a contact presses that was not solved for
   int iterations = 0;   // solves with a factor
   int sweeps = 0;
-  double sweep_change = 0;  // of the forces in the last pair, part of their norm
+  double sweep_change = 0;  // N, of the forces in the last pair
   double residual = 0;      // largest over blocks, of force scale
   int worst_block = -1;
   int singular_block = -1;  // where the matrix was not positive definite
@@ -33,7 +33,7 @@ struct OpenCloseSettings {
 
 class OpenClose {
  public:
-  // Solves for d, from the contacts' last states and forces.
+  // Solves for d, from where it is, or where it is empty from the contacts' last states and forces.
   OpenCloseResult solve(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d);
   // Residual at d = 0 without solving.
   OpenCloseResult judge(const ContactProblem& problem);
@@ -49,11 +49,12 @@ class OpenClose {
   double sweep(const ContactProblem& problem, int most, int worth, ContactSweeps::Carry carry, Vector& d,
                OpenCloseResult& result);
   void take_states(const ContactProblem& problem);
+  void forces_at_present(const ContactProblem& problem);
   void take_forces(const ContactProblem& problem);
   void solve_motion(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
                     OpenCloseResult& result);
   void solve_by_sweeps(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result);
-  void solve_bonded(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
+  void solve_by_newton(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
                     OpenCloseResult& result);
   int changed_states(const ContactProblem& problem) const;
   void continue_states(const ContactProblem& problem);

@@ -21,7 +21,7 @@ double size_of_places(const Model& model, const Contact& contact) {
 }  // namespace
 
 double OpenClose::friction_limit(const ContactRows& row, double normal) {
-  return normal > 0 ? (std::isinf(row.friction) ? row.friction : row.friction * normal) + row.cohesion : 0;
+  return (normal > 0 ? (std::isinf(row.friction) ? row.friction : row.friction * normal) : 0) + row.cohesion;
 }
 
 void OpenClose::evaluate(const ContactProblem& problem, const Vector& d) {
@@ -117,7 +117,7 @@ void OpenClose::store(const ContactRows& row, double factor, const Vector& d, Co
   contact.normal_force = row.kn * std::max(0.0, -gap);
   const double limit = friction_limit(row, contact.normal_force), trial = row.ks * slide;
   contact.shear_force = std::clamp(trial, -limit, limit);
-  contact.state = contact.normal_force <= 0      ? ContactState::open
+  contact.state = contact.normal_force <= 0 && limit <= 0 ? ContactState::open
                   : contact.shear_force == trial ? ContactState::stick
                                                  : ContactState::slip;
   contact.slip = contact.state == ContactState::open ? 0 : contact.slip + (trial - contact.shear_force) / row.ks;

@@ -57,8 +57,7 @@ void OpenClose::predict(ContactProblem& problem, Vector& d, OpenCloseResult& res
   r_ = problem.system.force;
   const auto& rows = problem.contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
-    if (!closed_[k]) continue;
-    rows[k].add(rows[k].normal_i, rows[k].normal_j, -rows[k].kn * rows[k].gap0, r_);
+    if (closed_[k]) rows[k].add(rows[k].normal_i, rows[k].normal_j, -rows[k].kn * rows[k].gap0, r_);
     rows[k].add(rows[k].shear_i, rows[k].shear_j, -(stuck_[k] ? rows[k].ks * rows[k].slide0 : shear_[k]), r_);
   }
   problem.solver.solve(r_, d);
@@ -90,12 +89,12 @@ void OpenClose::convex_step(ContactProblem& problem, Vector& d, OpenCloseResult&
 bool OpenClose::coupled_step(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result) {
   const auto& rows = problem.contacts.rows();
   std::vector<size_t> sticking, slipping;
-  for (size_t k = 0; k < rows.size(); ++k)
-    if (closed_[k]) {
-      const bool sticks = std::abs(rows[k].ks * slide_[k]) < friction_limit(rows[k], -rows[k].kn * gap_[k]);
-      if (sticks) sticking.push_back(k);
-      if (!sticks && rows[k].friction > 0 && std::isfinite(rows[k].friction)) slipping.push_back(k);
-    }
+  for (size_t k = 0; k < rows.size(); ++k) {
+    if (std::abs(rows[k].ks * slide_[k]) < friction_limit(rows[k], -rows[k].kn * gap_[k]))
+      sticking.push_back(k);
+    else if (closed_[k] && rows[k].friction > 0)
+      slipping.push_back(k);
+  }
   if (slipping.empty()) return false;
   const double f = problem.contacts.factor();
   const auto apply = [&](const Vector& x, Vector& y) {

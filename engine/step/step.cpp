@@ -102,8 +102,11 @@ bool in_one_piece(const Model& model) {
 }  // namespace
 
 Stepper::Stepper(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledger)
-    : model_(model), plan_(plan), totals_(totals), ledger_(ledger), step_size_(model, plan.contacts, plan.fracture) {
-  if (plan.fracture) fracture_ = std::make_unique<Fracture>(model);
+    : model_(model), plan_(plan), totals_(totals), ledger_(ledger), step_size_(model, plan.contacts) {
+  if (plan.fracture) {
+    fracture_ = std::make_unique<Fracture>(model);
+    step_size_.among_cracks(fracture_->least_transit());
+  }
   if (plan.gas) gas_ = std::make_unique<Gas>(model);
 }
 
@@ -125,6 +128,7 @@ StepReport Stepper::dynamic_step() {
   if (fracture_) fracture_->clear_events();
   if (gas_) gas_->detonate();
   for (double dt = next_dt();; dt = next_dt(), ++report.cuts) {
+    effort_ = 0;
     const Scheme scheme = this->scheme(dt);
     if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
@@ -194,7 +198,7 @@ StepReport Stepper::dynamic_step() {
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
     if (gas_) gas_->end_step(dt);
-    step_size_.accepted(dt, report.displacement, result.iterations);
+    step_size_.accepted(dt, report.displacement, fracture_ ? effort_ : result.iterations);
     report.dt = dt;
     return report;
   }
@@ -306,6 +310,7 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
     result = islands_.judge(model_, system_, contacts_, i > 0 ? enough : -1);
     report.residual = result.residual;
     if (i > 0 && result.residual <= enough) return true;
+    d.resize(0);
     result = solve(0, d);
     report.iterations += result.iterations;
     if (result.singular_block >= 0 && bridges_.any() && softening.hold_harder(hold_)) continue;
@@ -398,6 +403,7 @@ IslandResult Stepper::solve(double dt, Vector& d) {
   const IslandResult result = islands_.solve(model_, system_, contacts_, settings, dt, d);
   totals_.iterations += result.solves;
   totals_.sweeps += result.sweeps;
+  effort_ += result.effort;
   totals_.factorisations += result.factorisations;
   totals_.largest_iterations = std::max(totals_.largest_iterations, result.iterations);
   return result;

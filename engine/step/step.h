@@ -101,6 +101,7 @@ class Stepper {
   std::unique_ptr<Fracture> fracture_;  // where bonds can fail
   std::string collapse_;
   long revision_ = -1;
+  double effort_ = 0;  // of the solves of an attempt at a step, in factors
 };
 
 }  // namespace talus

@@ -11,7 +11,10 @@ namespace {
 // Where contacts did not converge they will not at the same step a little later: for so many steps it grows slowly.
 constexpr int caution = 40;
 constexpr int caution_among_cracks = 5;  // where contacts come and go with every step
-constexpr double careful_growth = 1.05;
+constexpr double careful_growth = 1.05, most_growth = 1.5, growth_among_cracks = 1.25;
+// Effort of a step, in factors, from which on a longer one does not pay. Among cracks two short steps are cheaper than one
+// that states have to be looked for in.
+constexpr double most_effort = 12, most_effort_among_cracks = 4;
 
 // First step: what gravity and the initial velocities move by the limit.
 double first_step(const Model& model, double limit) {
@@ -41,8 +44,7 @@ double thinnest_block(const Model& model) {
 
 }  // namespace
 
-StepSize::StepSize(const Model& model, bool contacts, bool fracture)
-    : caution_(fracture ? caution_among_cracks : caution) {
+StepSize::StepSize(const Model& model, bool contacts) : caution_(caution), worth_(most_effort), growth_(most_growth) {
   const TimeControl& time = model.scene.time;
   limit_ = time.displacement_ratio * model.extent;
   thinnest_ = contacts ? thinnest_block(model) : std::numeric_limits<double>::infinity();
@@ -52,6 +54,13 @@ StepSize::StepSize(const Model& model, bool contacts, bool fracture)
   most_ = time.dt_max > 0 ? time.dt_max : automatic_ ? end_ / 10 : time.dt;
   dt_ = std::min(most_, automatic_ ? first_step(model, limit_) : time.dt);
   least_ = time.dt_min > 0 ? time.dt_min : 1e-6 * dt_;
+}
+
+void StepSize::among_cracks(double transit) {
+  caution_ = caution_among_cracks;
+  worth_ = most_effort_among_cracks;
+  growth_ = growth_among_cracks;
+  short_enough_ = transit;
 }
 
 double StepSize::next(double time) const {
@@ -70,9 +79,9 @@ void StepSize::cut(double dt, double displacement) {
   if (displacement <= bound) cautious_ = caution_;
 }
 
-void StepSize::accepted(double dt, double displacement, int iterations) {
+void StepSize::accepted(double dt, double displacement, double effort) {
   if (dt < 0.5 * dt_) return;  // a short last step says nothing
-  double growth = iterations > 25 ? 0.7 : iterations > 12 ? 1.0 : cautious_ > 0 ? careful_growth : 1.5;
+  double growth = effort > 2 * worth_ && dt > short_enough_ ? 0.7 : effort > worth_ ? 1.0 : cautious_ > 0 ? careful_growth : growth_;
   if (cautious_ > 0) --cautious_;
   const double bound = automatic_ ? limit_ : thinnest_;
   if (displacement > 0) growth = std::min(growth, std::max(automatic_ ? 0.5 : 1.0, 0.9 * bound / displacement));

@@ -8,12 +8,15 @@ namespace talus {
 
 class StepSize {
  public:
-  StepSize(const Model& model, bool contacts, bool fracture);
+  StepSize(const Model& model, bool contacts);
+  // Bonds can fail. transit: s, a wave's way through a block; shorter steps are not easier to solve.
+  void among_cracks(double transit);
 
   double next(double time) const;  // s, never past t_end
   bool too_far(double displacement) const { return displacement > (automatic_ ? 2 * limit_ : thinnest_); }
   void cut(double dt, double displacement);  // after an attempt of `dt` that was thrown away
-  void accepted(double dt, double displacement, int iterations);
+  // effort: what the solution took, in factors.
+  void accepted(double dt, double displacement, double effort);
   double least() const { return least_; }
   // The bounds come from the scene; a restart may have set others.
   template <class Visitor>  // of the registry, model/registry.h
@@ -29,6 +32,9 @@ class StepSize {
   bool automatic_;
   double dt_, least_, most_, end_;
   int caution_;       // steps, after one that did not converge
+  double worth_;      // factors, from which on a longer step does not pay
+  double growth_;     // of a step that went well
+  double short_enough_ = 0;  // s, not shortened for what it takes
   int cautious_ = 0;  // steps still to be grown slowly
   double every_;  // s, between outputs, which an automatic step does not pass; 0: none
 };

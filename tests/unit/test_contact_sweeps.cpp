@@ -28,9 +28,11 @@ struct Swept {
   std::vector<double> normal, shear;
   Vector d;
 
-  Swept(const std::vector<Polyline>& blocks, double friction, const Vec2& gravity, ContactSweeps::Carry carry = ContactSweeps::Carry::momentum) {
+  Swept(const std::vector<Polyline>& blocks, double friction, const Vec2& gravity, ContactSweeps::Carry carry = ContactSweeps::Carry::momentum,
+        const std::vector<Region>& meshed = {}) {
     std::vector<Region> regions = {region("floor", rectangle(-5, -1, 10, 1))};
     for (const Polyline& outline : blocks) regions.push_back(region("b" + std::to_string(regions.size()), outline));
+    regions.insert(regions.end(), meshed.begin(), meshed.end());
     Scene scene = test::scene_of(regions);
     scene.regions[0].held = true;
     scene.properties[0].friction = friction;
@@ -123,8 +125,20 @@ TEST(ContactSweeps, StickAndSlip) {
 
 TEST(ContactSweeps, AFreeBlockNeedsNone) {
   const Swept s({rectangle(0, 5, 1, 1)}, 0.5, {0, -10});
-  EXPECT_TRUE(s.sweeps.whole());
   EXPECT_LT(s.out_of_balance(), 1e-13);
+}
+
+// A beam of more bonded blocks than a patch holds, dropped on the floor with a loose stone on it.
+TEST(ContactSweeps, BondedBlocksAreSweptTogether) {
+  const Region beam = test::patterned("beam", rectangle(0, 0, 4, 0.5), MeshKind::cross, 8, 1);
+  for (const double friction : {0.0, 0.6}) {
+    const Swept s({rectangle(2, 0.5, 0.5, 0.5)}, friction, {3, -9}, ContactSweeps::Carry::momentum, {beam});
+    const double weight = 2 * 9 * 2.25;
+    EXPECT_GT(s.model.joints.size(), 30u);
+    EXPECT_LT(s.progress.change, 1e-14) << friction;
+    EXPECT_LT(s.out_of_balance(), 1e-10 * weight) << friction;
+    expect_law(s, 1e-7 * weight);
+  }
 }
 
 // Triangles round a point: each presses on its neighbours' faces, none on those across.
