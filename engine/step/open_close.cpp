@@ -127,7 +127,7 @@ int OpenClose::changed_states(const ContactProblem& problem) const {
 void OpenClose::forces_at_present(const ContactProblem& problem) {
   const auto& rows = problem.contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
-    normal_[k] = normal_force(rows[k], k);
+    normal_[k] = rows[k].near ? normal_force(rows[k], k) : 0;
     const double limit = friction_limit(rows[k], normal_[k]);
     shear_[k] = std::clamp(rows[k].ks * slide_[k], -limit, limit);
   }
