@@ -27,7 +27,7 @@ auto awake_contacts(AModel& model) {
 
 bool stands_still(const Model& model, int block) {
   const auto& v = model.blocks[block].velocity;
-  return std::all_of(v.begin(), v.end(), [](double rate) { return rate == 0; });
+  return std::all_of(v.begin(), v.begin() + model.shapes[block].rate_count(), [](double rate) { return rate == 0; });
 }
 
 std::int64_t pair_key(int a, int b) { return (std::int64_t(std::min(a, b)) << 32) | std::max(a, b); }
@@ -60,7 +60,7 @@ double depth_ahead(const Model& model, const Contact& c, double dt) {
   const Numerics& numerics = model.scene.numerics;
   const double shift = numerics.integrator == Integrator::theta ? (numerics.theta - 0.5) * dt : 0;
   const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c), foot = at - c.gap * normal;
-  return -(c.gap + c.offset) - shift * normal.dot(model.velocity_at(c.i, at) - model.velocity_at(c.j, foot));
+  return -(c.gap + c.offset) - shift * normal.dot(model.velocity_at(c.i, at) - model.velocity_on_edge(c.j, c.edge, foot));
 }
 
 // Met already overlapping, or touching and so fast that y overlaps: not a load (docs/theory.md). What is still apart may
@@ -252,7 +252,8 @@ bool ContactSearch::unmoved(const Model& model, double dt) {
     if (model.sleeps(int(k))) continue;
     const BlockState& b = model.blocks[k];
     now.insert(now.end(), {b.shift.x(), b.shift.y(), b.angle, b.strain[0], b.strain[1], b.strain[2]});
-    now.insert(now.end(), b.velocity.begin(), b.velocity.end());
+    now.insert(now.end(), b.velocity.begin(), b.velocity.begin() + model.shapes[k].rate_count());
+    if (model.shapes[k].second_order()) now.insert(now.end(), b.bend.begin(), b.bend.end());
   }
   now.push_back(double(model.revision));
   now.push_back(double(model.sleep_changes));

@@ -32,12 +32,10 @@ class BlockMatrix {
   // the pair was given in the other order). Only the lower triangle of a diagonal block is read.
   template <typename Derived>
   void add(const Slot& slot, bool transposed, const Eigen::MatrixBase<Derived>& m) {
-    const int rows = sizes_[slot.row], columns = sizes_[slot.column], first = begin_[slot.column];
-    for (int j = 0; j < columns; ++j) {
-      const int skip = slot.row == slot.column ? j : 0;
-      double* to = &values[column_begin_[first + j] + (slot.row == slot.column ? 0 : slot.offset - j)];
-      for (int i = skip; i < rows; ++i) to[i - skip] += transposed ? m(j, i) : m(i, j);
-    }
+    if (transposed)
+      add(slot, m.transpose().eval());
+    else
+      add(slot, m.derived());
   }
   // K(row, column) += factor * u vᵀ for contact rows.
   void add_outer(const Slot& slot, double factor, const double* u, const double* v);
@@ -75,6 +73,22 @@ class BlockMatrix {
   std::vector<double> values;
 
  private:
+  template <typename Derived>
+  void add(const Slot& slot, const Derived& m) {
+    const int rows = sizes_[slot.row], columns = sizes_[slot.column], first = begin_[slot.column];
+    const bool diagonal = slot.row == slot.column;
+    const int* const begin = &column_begin_[first];
+    for (int j = 0; j < columns; ++j) {
+      double* const to = &values[begin[j] + (diagonal ? 0 : slot.offset - j)];
+      if (!diagonal && rows == m.rows()) {  // whole columns, mostly of a size that is known
+        Eigen::Map<Eigen::Matrix<double, Derived::RowsAtCompileTime, 1>>(to, rows) += m.col(j);
+        continue;
+      }
+      const int skip = diagonal ? j : 0;
+      for (int i = skip; i < rows; ++i) to[i - skip] += m(i, j);
+    }
+  }
+
   std::vector<int> sizes_, begin_;           // unknowns, first unknown
   std::vector<std::pair<int, int>> pairs_;   // sorted (column, row)
   std::vector<int> pair_begin_;              // first pair of a column block

@@ -4,11 +4,26 @@
 
 namespace talus {
 
-// ∫ρ TᵀT dA in the block's own axes (kg/m); constant.
+// ∫ρ TᵀT dA in the block's own axes (kg/m); constant. The first six unknowns, and all twelve of a second-order block.
 DofMatrix mass_matrix(const Model& model, int block);
+MatrixOf<second_order_dofs> second_order_mass_matrix(const Model& model, int block);
+template <int n>
+MatrixOf<n> mass_matrix_of(const Model& model, int block) {
+  if constexpr (n == first_order_dofs)
+    return mass_matrix(model, block);
+  else
+    return second_order_mass_matrix(model, block);
+}
 
-// ρ/l² ∫ |x|² over the block strained by e (kg/m): its moment of inertia in units of the rotation unknown.
+// ∫ SᵀDS dA of the strain S of the six unknowns of model/bend.h, N/m3.
+MatrixOf<6> bend_stiffness(const BlockShape& shape, const Mat3& elasticity);
+// The rest of ½∫ε·(2σ₀ + Dε) dA beside that of the constant strain, J/m; ∫ Sᵀσ₀ dA of the varying part of σ₀, N.
+double bend_energy(const Model& model, int block, const Vec6& bend);
+Vec6 initial_bend_force(const Model& model, int block);
+
+// ρ/l² ∫ |x|² over the block strained by e, and bent (kg/m): its moment of inertia in units of the rotation unknown.
 double moment_of_inertia(const Model& model, int block, const Vec3& e);
+double moment_of_inertia(const Model& model, int block, const Vec3& e, const BendArray& bend);
 
 // External force per area on a block, N/m2: gravity and its region's body force at time `t`.
 Vec2 body_force(const Model& model, int region, double density, double t);

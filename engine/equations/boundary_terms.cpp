@@ -1,12 +1,30 @@
 #include "equations/boundary_terms.h"
 
+#include "equations/side.h"
+#include "model/gauss.h"
+
 namespace talus {
+
+namespace {
+
+// A traction that is the same all along an edge: its sum in the middle of a first-order block's edge, of a second-order one
+// at two of Gauss's points, which are exact for what is quadratic along it.
+void spread(const BlockShape& shape, const Pose& pose, int block, const std::array<Vec2, 2>& edge, const Vec2& middle,
+            const Vec2& force, const LoadVisitor& visit) {
+  if (!shape.second_order()) return visit(block, {(edge[0] + edge[1]) / 2, middle}, force);
+  for (const GaussPoint& point : gauss_points(2)) {
+    const Vec2 in_block = between(edge, point.at);
+    visit(block, {in_block, pose.place(in_block)}, point.share * force);
+  }
+}
+
+}  // namespace
 
 void each_load(const Model& model, const Poses& poses, double time, const LoadVisitor& visit) {
   for (const PointForce& point : model.point_forces) {
     if (model.sleeps(point.block)) continue;
     const PointLoad& load = model.scene.point_loads[point.load];
-    visit(point.block, poses.blocks[point.block].place(point.in_block),
+    visit(point.block, {point.in_block, poses.blocks[point.block].place(point.in_block)},
           point.share * Vec2(load.force[0].at(time), load.force[1].at(time)));
   }
   for (const EdgeForce& edge : model.edge_forces) {
@@ -17,7 +35,7 @@ void each_load(const Model& model, const Poses& poses, double time, const LoadVi
     const Vec2 force = load.is_pressure ? Vec2(load.traction[0].at(time) * perp(to - from))
                                         : Vec2((edge.in_block[1] - edge.in_block[0]).norm() *
                                                Vec2(load.traction[0].at(time), load.traction[1].at(time)));
-    visit(edge.block, (from + to) / 2, force);
+    spread(model.shapes[edge.block], pose, edge.block, edge.in_block, (from + to) / 2, force, visit);
   }
 }
 
@@ -25,7 +43,13 @@ void each_gas_load(const Model& model, const Poses& poses, const LoadVisitor& vi
   for (const GasFace& face : model.gas_faces) {
     const Pose& pose = poses.blocks[face.block];
     const Vec2 from = pose.place(face.in_block[0]), to = pose.place(face.in_block[1]);
-    visit(face.block, (from + to) / 2, model.gas_pressure[face.chamber] * perp(to - from));
+    const Vec2 force = model.gas_pressure[face.chamber] * perp(to - from);
+    if (!model.shapes[face.block].second_order()) {
+      visit(face.block, {(face.in_block[0] + face.in_block[1]) / 2, (from + to) / 2}, force);
+      continue;
+    }
+    visit(face.block, {face.in_block[0], from}, force / 2);
+    visit(face.block, {face.in_block[1], to}, force / 2);
   }
 }
 
@@ -52,13 +76,18 @@ void place_held_blocks(Model& model) {
   model.place_vertices();
 }
 
+void add_force(const Model& model, const Poses& poses, int block, const LoadPoint& point, const Vec2& force, System& system) {
+  const BlockShape& shape = model.shapes[block];
+  with_size(shape.second_order(),
+            [&](auto n) { system.add_force(shape, block, force_on<n>(poses.blocks[block], point, force)); });
+}
+
 void add_loads(const Model& model, const Poses& poses, const Scheme& scheme, System& system) {
-  each_load(model, poses, model.time + scheme.load_time, [&](int block, const Vec2& at, const Vec2& force) {
-    system.add_force(model.shapes[block], block, poses.blocks[block].rows(at).transpose() * force);
-  });
-  each_gas_load(model, poses, [&](int block, const Vec2& at, const Vec2& force) {
-    system.add_force(model.shapes[block], block, poses.blocks[block].rows(at).transpose() * force);
-  });
+  const LoadVisitor add = [&](int block, const LoadPoint& point, const Vec2& force) {
+    add_force(model, poses, block, point, force, system);
+  };
+  each_load(model, poses, model.time + scheme.load_time, add);
+  each_gas_load(model, poses, add);
 }
 
 }  // namespace talus

@@ -13,13 +13,25 @@ std::array<double, max_dofs> held_velocity(const Model& model, int block, double
 // Equilibrium: held blocks where their fixity wants them at Model::time.
 void place_held_blocks(Model& model);
 
+// Where a force acts on a block: the material point, from the reference centroid, and where that is.
+struct LoadPoint {
+  Vec2 in_block, at;
+};
+// Force on the unknowns of a block, of one fixed size or the other (model.h).
+template <int n>
+ColumnOf<n> force_on(const Pose& pose, const LoadPoint& point, const Vec2& force) {
+  return pose.rows<n>(point.in_block, point.at).transpose() * force;
+}
+
 // Each force (N/m) of the loads at `time` on a block that is awake, and the place where it acts. A pressure follows its edge: it pushes
 // along the inward normal of the edge as it lies now.
-using LoadVisitor = std::function<void(int block, const Vec2& at, const Vec2& force)>;
+using LoadVisitor = std::function<void(int block, const LoadPoint& point, const Vec2& force)>;
 void each_load(const Model& model, const Poses& poses, double time, const LoadVisitor& visit);
-// Explosion gas on the faces it has reached.
+// Explosion gas on the faces it has reached: on those of a second-order block at their ends, as the volume is that of the
+// straight edges between them.
 void each_gas_load(const Model& model, const Poses& poses, const LoadVisitor& visit);
 
+void add_force(const Model& model, const Poses& poses, int block, const LoadPoint& point, const Vec2& force, System& system);
 void add_loads(const Model& model, const Poses& poses, const Scheme& scheme, System& system);
 
 }  // namespace talus

@@ -127,33 +127,41 @@ void BridgeTerms::add(const Model& model, const Poses& poses, const Scheme& sche
   for (const Slots& slots : slots_) {
     const Joint& joint = model.joints[slots.joint];
     if (model.sleeps(joint.a) || model.sleeps(joint.b)) continue;
-    const Pose &a = poses.blocks[joint.a], &b = poses.blocks[joint.b];
-    const Vec2 n = turned_normal(joint, a, b), t = perp(n);
-    const Jump jump(model, ends, joint, scheme);
-    DofMatrix kaa = DofMatrix::Zero(), kbb = kaa, kab = kaa;
-    DofColumn fa = DofColumn::Zero(), fb = fa;
-    for (const JointPoint& point : joint.points) {
-      const Vec2 at = (a.place(between(joint.in_a, point.at)) + b.place(between(joint.in_b, point.at))) / 2;
-      const DofRows ta = a.rows(at), tb = b.rows(at);
-      const Vec2 gap = jump.at(point.at);
-      const auto [across, along] = pulls(model, joint, point, gap.dot(n), gap.dot(t));
-      const Mat2 stiffness = across.tangent * n * n.transpose() + along.tangent * t * t.transpose();
-      const Vec2 traction = across.traction * n + along.traction * t;
-      const double w = point.weight;
-      fa += w * ta.transpose() * traction;
-      fb -= w * tb.transpose() * traction;
-      const double wk = w * scheme.bond_d;
-      kaa += wk * ta.transpose() * stiffness * ta;
-      kbb += wk * tb.transpose() * stiffness * tb;
-      kab -= wk * ta.transpose() * stiffness * tb;
-    }
-    const BlockShape &shape_a = model.shapes[joint.a], &shape_b = model.shapes[joint.b];
-    system.add_force(shape_a, joint.a, fa);
-    system.add_force(shape_b, joint.b, fb);
-    if (shape_a.dofs) system.matrix.add(slots.aa, false, kaa);
-    if (shape_b.dofs) system.matrix.add(slots.bb, false, kbb);
-    if (shape_a.dofs && shape_b.dofs) system.matrix.add(slots.ab, slots.ab.row != joint.a, kab);
+    with_size(touches_second_order(joint), [&](auto n) { add_bridge<n>(model, poses, ends, scheme, slots, system); });
   }
+}
+
+template <int size>
+void BridgeTerms::add_bridge(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme,
+                             const Slots& slots, System& system) const {
+  const Joint& joint = model.joints[slots.joint];
+  const Pose &a = poses.blocks[joint.a], &b = poses.blocks[joint.b];
+  const Vec2 n = turned_normal(joint, a, b), t = perp(n);
+  const Jump<size> jump(model, ends, joint, scheme);
+  MatrixOf<size> kaa = MatrixOf<size>::Zero(), kbb = kaa, kab = kaa;
+  ColumnOf<size> fa = ColumnOf<size>::Zero(), fb = fa;
+  for (const JointPoint& point : joint.points) {
+    const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at);
+    const Vec2 at = (a.place(in_a) + b.place(in_b)) / 2;
+    const RowsOf<size> ta = a.rows<size>(in_a, at), tb = b.rows<size>(in_b, at);
+    const Vec2 gap = jump.at(in_a, in_b);
+    const auto [across, along] = pulls(model, joint, point, gap.dot(n), gap.dot(t));
+    const Mat2 stiffness = across.tangent * n * n.transpose() + along.tangent * t * t.transpose();
+    const Vec2 traction = across.traction * n + along.traction * t;
+    const double w = point.weight;
+    fa += w * ta.transpose() * traction;
+    fb -= w * tb.transpose() * traction;
+    const double wk = w * scheme.bond_d;
+    kaa += wk * ta.transpose() * stiffness * ta;
+    kbb += wk * tb.transpose() * stiffness * tb;
+    kab -= wk * ta.transpose() * stiffness * tb;
+  }
+  const BlockShape &shape_a = model.shapes[joint.a], &shape_b = model.shapes[joint.b];
+  system.add_force(shape_a, joint.a, fa);
+  system.add_force(shape_b, joint.b, fb);
+  if (shape_a.dofs) system.matrix.add(slots.aa, false, kaa);
+  if (shape_b.dofs) system.matrix.add(slots.bb, false, kbb);
+  if (shape_a.dofs && shape_b.dofs) system.matrix.add(slots.ab, slots.ab.row != joint.a, kab);
 }
 
 void BridgeTerms::store_tractions(Model& model) const {

@@ -13,6 +13,8 @@
 
 namespace talus {
 
+struct Ends;
+
 class BridgeTerms {
  public:
   void find_slots(const Model& model, const BlockMatrix& matrix);
@@ -26,6 +28,9 @@ class BridgeTerms {
     int joint;
     BlockMatrix::Slot aa, bb, ab;
   };
+  template <int size>  // of the larger block's unknowns
+  void add_bridge(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, const Slots& slots,
+                  System& system) const;
   std::vector<Slots> slots_;
 };
 

@@ -1,12 +1,50 @@
 #include "equations/contact_terms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+
+#include "equations/boundary_terms.h"
 
 namespace talus {
 
 namespace {
+
 constexpr double near_part = 1e-3;
+
+// Change along `direction` of the place of the vertex `local` of a block under unit unknowns, beyond the turning of the block.
+template <int n>
+ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int local, const Vec2& direction) {
+  const int v = model.shapes[block].vertex_begin + local;
+  return force_on<n>(poses.blocks[block], {model.reference_vertex[v], poses.vertex[v]}, direction);
+}
+
+}  // namespace
+
+// The foot of a vertex on a first-order block's edge is a material point; an edge of second order stays straight between its
+// corners, and takes its foot along as they go.
+template <int n>
+void ContactTerms::set_rows(const Model& model, const Contact& contact, const Poses& poses, const Vec2& at, const Vec2& foot,
+                            const Vec2& span, const Vec2& along, ContactRows& row) {
+  const Vec2 normal = -perp(along);
+  if constexpr (n == first_order_dofs) {
+    const Pose &pose_i = poses.blocks[contact.i], &pose_j = poses.blocks[contact.j];
+    const auto set = [](Row& to, const FirstRow& from) { std::copy(from.begin(), from.end(), to.begin()); };
+    set(row.normal_i, pose_i.row(at, normal));
+    set(row.shear_i, pose_i.row(at, along));
+    set(row.normal_j, pose_j.row(foot, -normal));
+    set(row.shear_j, pose_j.row(foot, -along));
+  } else {
+    const auto set = [](Row& to, const ColumnOf<n>& from) { std::copy_n(from.data(), std::size_t(n), to.begin()); };
+    const int next = model.next_vertex(contact.j, contact.edge);
+    const double on_edge = along.dot(foot - poses.vertex[contact.global_edge]) / along.dot(span);
+    for (const auto& [direction, of_i, of_j] : {std::tuple(normal, &row.normal_i, &row.normal_j), {along, &row.shear_i, &row.shear_j}}) {
+      set(*of_i, vertex_row<n>(model, poses, contact.i, contact.vertex, direction));
+      set(*of_j, (on_edge - 1) * vertex_row<n>(model, poses, contact.j, contact.edge, direction) -
+                     on_edge * vertex_row<n>(model, poses, contact.j, next, direction));
+    }
+  }
 }
 
 void ContactTerms::linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick,
@@ -17,7 +55,6 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     const Contact& contact = model.contacts[size_t(model.sleeping_contacts) + k];
     const Strength strength = model.contact_strength(contact);
     const BlockShape &shape_i = model.shapes[contact.i], &shape_j = model.shapes[contact.j];
-    const Pose &pose_i = poses.blocks[contact.i], &pose_j = poses.blocks[contact.j];
     const Vec2 at = poses.vertex[contact.global_vertex], from = poses.vertex[contact.global_edge];
     const Vec2 span = poses.vertex[shape_j.vertex_begin + model.next_vertex(contact.j, contact.edge)] - from;
     const Vec2 along = span.normalized(), normal = -perp(along);
@@ -32,14 +69,14 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     row.dof_j = shape_j.dof_begin;
     row.size_i = shape_i.dofs;
     row.size_j = shape_j.dofs;
-    row.normal_i = pose_i.row(at, normal);
-    row.shear_i = pose_i.row(at, along);
-    row.normal_j = pose_j.row(foot, -normal);
-    row.shear_j = pose_j.row(foot, -along);
-    const double approach = dot(row.normal_i, pose_i.velocity.data(), max_dofs) +
-                            dot(row.normal_j, pose_j.velocity.data(), max_dofs);
-    const double sliding = dot(row.shear_i, pose_i.velocity.data(), max_dofs) +
-                           dot(row.shear_j, pose_j.velocity.data(), max_dofs);
+    const bool second = shape_i.second_order() || shape_j.second_order();
+    double approach = 0, sliding = 0;
+    with_size(second, [&](auto n) {
+      set_rows<n>(model, contact, poses, at, foot, span, along, row);
+      const double *vi = model.blocks[contact.i].velocity.data(), *vj = model.blocks[contact.j].velocity.data();
+      approach = dot(row.normal_i, vi, n) + dot(row.normal_j, vj, n);
+      sliding = dot(row.shear_i, vi, n) + dot(row.shear_j, vj, n);
+    });
     row.gap0 = gap + contact.offset + scheme.contact_v * approach;
     row.slide0 = contact.stretch + scheme.step_v * sliding;
     row.kn = contact.normal_stiffness;

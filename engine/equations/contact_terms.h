@@ -8,8 +8,7 @@
 
 namespace talus {
 
-struct ContactRows {
-  Row normal_i, normal_j, shear_i, shear_j;  // change of gap and of sliding under unit unknowns
+struct ContactScalars {
   int i, j;  // blocks
   int dof_i, dof_j, size_i, size_j;
   double gap0, slide0;  // gap and stretch at d = 0, velocities carried to where contacts are judged
@@ -17,6 +16,28 @@ struct ContactRows {
   double friction, cohesion;  // tan φ; N
   int contact;          // index into Model::contacts
   bool near;            // may press in this step; the others are not solved for, only watched
+};
+
+struct ContactRows : ContactScalars {
+  // Change of gap and of sliding under unit unknowns: six of each block, twelve where one of the two is of second order.
+  Row normal_i, normal_j, shear_i, shear_j;
+
+  ContactRows() {}  // NOLINT(modernize-use-equals-default): = default would set all to nought
+  ContactRows(const ContactRows& other) { *this = other; }  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  ContactRows& operator=(const ContactRows& other) {
+    ContactScalars::operator=(other);
+    const bool second = other.second_order();
+    const auto copy = [second](const Row& from, Row& to) {
+      std::copy_n(from.begin(), first_order_dofs, to.begin());
+      if (second) std::copy(from.begin() + first_order_dofs, from.end(), to.begin() + first_order_dofs);
+    };
+    copy(other.normal_i, normal_i);
+    copy(other.normal_j, normal_j);
+    copy(other.shear_i, shear_i);
+    copy(other.shear_j, shear_j);
+    return *this;
+  }
+  bool second_order() const { return size_i == second_order_dofs || size_j == second_order_dofs; }
 
   double along(const Row& i, const Row& j, const Vector& d) const {
     double sum = 0;
@@ -48,6 +69,10 @@ class ContactTerms {
   double factor() const { return factor_; }
 
  private:
+  template <int n>
+  static void set_rows(const Model& model, const Contact& contact, const Poses& poses, const Vec2& at, const Vec2& foot,
+                       const Vec2& span, const Vec2& along, ContactRows& row);
+
   std::vector<ContactRows> rows_;
   struct Slots {
     BlockMatrix::Slot ii, jj, ij;

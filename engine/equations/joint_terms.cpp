@@ -1,7 +1,6 @@
 #include "equations/joint_terms.h"
 
-#include <Eigen/Eigenvalues>
-
+#include "equations/bond_stiffness.h"
 #include "equations/jump.h"
 #include "equations/side.h"
 
@@ -13,13 +12,6 @@ namespace {
 // its weight into its stress (1D: σ is off by κ/k).
 constexpr double ground_penalty = 1000;
 
-// Largest eigenvalue of Σ w² L (N D)ᵀ(N D) against A D: the least k that is provably enough for one block (Pa/m).
-double least_stiffness(const Mat3& flux, const Mat3& elasticity, double area) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> pencil(elasticity * flux * elasticity, area * elasticity,
-                                                              Eigen::EigenvaluesOnly);
-  return pencil.eigenvalues()[2];
-}
-
 std::array<double, 2> spring_stiffness(const Model& model, const Joint& joint) {
   const JointProperty& property = model.scene.properties[joint.property];
   double normal = property.stiffness;
@@ -27,7 +19,7 @@ std::array<double, 2> spring_stiffness(const Model& model, const Joint& joint) {
     const double young = std::min(model.material(joint.a).young, model.material(joint.b).young);
     normal *= young / std::min(model.shapes[joint.a].length, model.shapes[joint.b].length);
   } else {
-    normal /= joint.points[0].weight;  // N/m of one end -> per area
+    normal /= joint.length / 2;  // N/m of one end -> per area
   }
   return {normal, normal * property.shear_ratio};
 }
@@ -35,23 +27,7 @@ std::array<double, 2> spring_stiffness(const Model& model, const Joint& joint) {
 }  // namespace
 
 void JointTerms::prepare(const Model& model) {
-  std::vector<Mat3> flux(model.shapes.size(), Mat3::Zero());
-  const auto add_face = [&](int block, const Vec2& normal, double weighted_length) {
-    const Matrix23 n = traction_of(normal);
-    flux[block] += weighted_length * n.transpose() * n;
-  };
-  for (const Joint& joint : model.joints) {  // also those that have failed: a crack does not change how others are held
-    if (!joint.bonded || joint.kind != BondKind::exact) continue;
-    add_face(joint.a, joint.normal, joint.weight_a * joint.weight_a * joint.length);
-    add_face(joint.b, joint.normal, joint.weight_b * joint.weight_b * joint.length);
-  }
-  for (const EdgeFixity& edge : model.edge_fixities) add_face(edge.block, edge.normal, edge.length);
-
-  std::vector<double> least(model.shapes.size(), 0.0);
-  for (size_t b = 0; b < least.size(); ++b)
-    if (model.shapes[b].dofs > 3)
-      least[b] = least_stiffness(flux[b], elasticity(model.material(int(b))), model.shapes[b].area);
-
+  const std::vector<double> least = least_stiffness(model);
   stiffness_.resize(model.joints.size());
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
@@ -83,49 +59,64 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
     if (joint.state != JointState::intact || model.sleeps(joint.a) || model.sleeps(joint.b)) continue;
-    const Side a = side_of(model, poses.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
-    const Side b = side_of(model, poses.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
-    const bool exact = joint.kind == BondKind::exact;
-    const DofRows zero = DofRows::Zero();
-    const DofRows sa = exact ? a.flux() : zero, sb = exact ? b.flux() : zero;
-    const Vec2 flux = exact ? mean_flux(a, b, scheme.bond_v) : Vec2(0, 0);
-    // Joint axes for the springs: the mean of the two blocks' turned normals.
-    const Vec2 n = turned_normal(joint, a.pose, b.pose);
-    const auto [kn, ks] = stiffness_[j];
-    const Mat2 stiffness = kn * n * n.transpose() + ks * perp(n) * perp(n).transpose();
-
-    const Jump jump(model, ends, joint, scheme);
-    DofMatrix kaa = DofMatrix::Zero(), kbb = kaa, kab = kaa;
-    DofColumn fa = DofColumn::Zero(), fb = fa;
-    for (const JointPoint& point : joint.points) {
-      // One point for both: action and reaction on one line keep angular momentum.
-      const Vec2 at =
-          (a.pose.place(between(joint.in_a, point.at)) + b.pose.place(between(joint.in_b, point.at))) / 2;
-      const DofRows ta = a.pose.rows(at), tb = b.pose.rows(at);
-      const Vec2 gap = jump.at(point.at);
-      const Vec2 traction = flux + stiffness * gap;
-      const double w = point.weight;
-      fa += w * (ta.transpose() * traction - sa.transpose() * gap);
-      fb -= w * (tb.transpose() * traction + sb.transpose() * gap);
-      const double wk = w * scheme.bond_d;
-      kaa += wk * (ta.transpose() * (stiffness * ta - sa) - sa.transpose() * ta);
-      kbb += wk * (tb.transpose() * (stiffness * tb + sb) + sb.transpose() * tb);
-      kab += wk * (-ta.transpose() * (stiffness * tb + sb) + sa.transpose() * tb);
-    }
-    const BlockShape &shape_a = model.shapes[joint.a], &shape_b = model.shapes[joint.b];
-    system.add_force(shape_a, joint.a, fa);
-    system.add_force(shape_b, joint.b, fb);
-    const double size = std::max(a.pose.shift.norm(), b.pose.shift.norm()), stiff = std::max(kn, ks) * joint.length;
-    system.add_rounding(joint.a, stiff, size);
-    system.add_rounding(joint.b, stiff, size);
-    if (shape_a.dofs) system.matrix.add(slots_[j].aa, false, kaa);
-    if (shape_b.dofs) system.matrix.add(slots_[j].bb, false, kbb);
-    if (shape_a.dofs && shape_b.dofs) system.matrix.add(slots_[j].ab, slots_[j].ab.row != joint.a, kab);
+    with_size(touches_second_order(joint), [&](auto n) { add_bond<n>(model, poses, ends, scheme, int(j), system); });
   }
+}
+
+// Flattened: the products are small, and most of what a step of bonded blocks does beside its factor.
+template <int size>
+[[gnu::flatten]] void JointTerms::add_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int j,
+                          System& system) const {
+  constexpr bool varies = size > first_order_dofs;  // the flux along the edge
+  const Joint& joint = model.joints[j];
+  const Side a = side_of<size>(model, poses.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
+  const Side b = side_of<size>(model, poses.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
+  const bool exact = joint.kind == BondKind::exact;
+  const RowsOf<size> zero = RowsOf<size>::Zero();
+  RowsOf<size> sa = exact && !varies ? a.flux<size>({}) : zero, sb = exact && !varies ? b.flux<size>({}) : zero;
+  Vec2 flux = exact && !varies ? mean_flux(a, b, scheme.bond_v) : Vec2(0, 0);
+  // Joint axes for the springs: the mean of the two blocks' turned normals.
+  const Vec2 n = turned_normal(joint, a.pose, b.pose);
+  const auto [kn, ks] = stiffness_[j];
+  const Mat2 stiffness = kn * n * n.transpose() + ks * perp(n) * perp(n).transpose();
+
+  const Jump<size> jump(model, ends, joint, scheme);
+  MatrixOf<size> kaa = MatrixOf<size>::Zero(), kbb = kaa, kab = kaa;
+  ColumnOf<size> fa = ColumnOf<size>::Zero(), fb = fa;
+  for (const JointPoint& point : joint.points) {
+    const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at);
+    if (varies && exact) {
+      sa = a.flux<size>(in_a);
+      sb = b.flux<size>(in_b);
+      flux = mean_flux(a, in_a, b, in_b, scheme.bond_v);
+    }
+    // One point for both: action and reaction on one line keep angular momentum.
+    const Vec2 at = (a.pose.place<size>(in_a) + b.pose.place<size>(in_b)) / 2;
+    const RowsOf<size> ta = a.pose.rows<size>(in_a, at), tb = b.pose.rows<size>(in_b, at);
+    const Vec2 gap = jump.at(in_a, in_b);
+    const Vec2 traction = flux + stiffness * gap;
+    const double w = point.weight;
+    fa += w * (ta.transpose() * traction - sa.transpose() * gap);
+    fb -= w * (tb.transpose() * traction + sb.transpose() * gap);
+    const double wk = w * scheme.bond_d;
+    kaa += wk * (ta.transpose() * (stiffness * ta - sa) - sa.transpose() * ta);
+    kbb += wk * (tb.transpose() * (stiffness * tb + sb) + sb.transpose() * tb);
+    kab += wk * (-ta.transpose() * (stiffness * tb + sb) + sa.transpose() * tb);
+  }
+  const BlockShape &shape_a = model.shapes[joint.a], &shape_b = model.shapes[joint.b];
+  system.add_force(shape_a, joint.a, fa);
+  system.add_force(shape_b, joint.b, fb);
+  const double scale = std::max(a.pose.shift.norm(), b.pose.shift.norm()), stiff = std::max(kn, ks) * joint.length;
+  system.add_rounding(joint.a, stiff, scale);
+  system.add_rounding(joint.b, stiff, scale);
+  if (shape_a.dofs) system.matrix.add(slots_[j].aa, false, kaa);
+  if (shape_b.dofs) system.matrix.add(slots_[j].bb, false, kbb);
+  if (shape_a.dofs && shape_b.dofs) system.matrix.add(slots_[j].ab, slots_[j].ab.row != joint.a, kab);
 }
 
 double JointTerms::energy(const Model& model, double ahead) const {
   std::vector<Pose> now;
+  now.reserve(model.blocks.size());
   for (int b = 0; b < int(model.blocks.size()); ++b) now.push_back(flown(model, b, 0));
   double sum = 0;
   for (int j = 0; j < int(model.joints.size()); ++j)
@@ -140,29 +131,34 @@ double JointTerms::energy_of(const Model& model, int j, double ahead) const {
 
 double JointTerms::energy_of(const Model& model, int j, const Pose& pose_a, const Pose& pose_b, double ahead) const {
   const Joint& joint = model.joints[j];
-  const Side a = side_of(model, pose_a, joint.a, joint.normal, joint.weight_a);
-  const Side b = side_of(model, pose_b, joint.b, joint.normal, joint.weight_b);
-  const Vec2 flux = joint.kind == BondKind::exact ? mean_flux(a, b, ahead) : Vec2(0, 0);
-  const Vec2 n = turned_normal(joint, pose_a, pose_b);
-  const auto [kn, ks] = stiffness_[j];
-  const double spin = spin_of(model, joint);
-  double sum = 0;
-  for (const JointPoint& point : joint.points) {
-    const Vec2 gap = jump_ahead(joint, pose_a, pose_b, spin, ahead, point.at);
-    const double normal = gap.dot(n), shear = gap.dot(perp(n));
-    sum += point.weight * (flux.dot(gap) + (kn * normal * normal + ks * shear * shear) / 2);
-  }
-  return sum;
+  return with_size(touches_second_order(joint), [&](auto size) {
+    const bool exact = joint.kind == BondKind::exact;
+    const Side a = side_of<size>(model, pose_a, joint.a, joint.normal, joint.weight_a);
+    const Side b = side_of<size>(model, pose_b, joint.b, joint.normal, joint.weight_b);
+    Vec2 flux = exact ? mean_flux(a, b, ahead) : Vec2(0, 0);
+    const Vec2 n = turned_normal(joint, pose_a, pose_b);
+    const auto [kn, ks] = stiffness_[j];
+    const double spin = spin_of(model, joint);
+    double sum = 0;
+    for (const JointPoint& point : joint.points) {
+      const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at);
+      if (size > first_order_dofs && exact) flux = mean_flux(a, in_a, b, in_b, ahead);
+      const Vec2 gap = jump_ahead<size>(pose_a, in_a, pose_b, in_b, spin, ahead);
+      const double normal = gap.dot(n), shear = gap.dot(perp(n));
+      sum += point.weight * (flux.dot(gap) + (kn * normal * normal + ks * shear * shear) / 2);
+    }
+    return sum;
+  });
 }
 
-BondTraction JointTerms::flux(const Model& model, int j) const {
+BondTraction JointTerms::flux(const Model& model, int j, double at) const {
   const Joint& joint = model.joints[j];
   if (joint.kind != BondKind::exact) return {};
   const Pose pose_a = flown(model, joint.a, 0), pose_b = flown(model, joint.b, 0);
   const Side a = side_of(model, pose_a, joint.a, joint.normal, joint.weight_a);
   const Side b = side_of(model, pose_b, joint.b, joint.normal, joint.weight_b);
   const Vec2 n = turned_normal(joint, pose_a, pose_b);
-  const Vec2 mean = mean_flux(a, b, 0);
+  const Vec2 mean = mean_flux(a, between(joint.in_a, at), b, between(joint.in_b, at), 0);
   return {mean.dot(n), mean.dot(perp(n))};
 }
 
@@ -172,20 +168,23 @@ void JointTerms::store_tractions(Model& model) const {
   for (size_t j = 0; j < model.joints.size(); ++j) {
     Joint& joint = model.joints[j];
     if (model.sleeps(joint.a) || model.sleeps(joint.b)) continue;
-    const Side a = side_of(model, now.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
-    const Side b = side_of(model, now.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
-    const Vec2 n = turned_normal(joint, a.pose, b.pose);
-    const bool intact = joint.state == JointState::intact;
-    const Vec2 flux = intact && joint.kind == BondKind::exact ? mean_flux(a, b, 0) : Vec2(0, 0);
-    for (JointPoint& point : joint.points) {
-      const Vec2 gap =
-          b.pose.displacement(between(joint.in_b, point.at)) - a.pose.displacement(between(joint.in_a, point.at));
-      point.opening = gap.dot(n);
-      point.slip = gap.dot(perp(n));
-      if (joint.bridged) continue;  // its traction is that of BridgeTerms
-      point.normal = intact ? flux.dot(n) + stiffness_[j][0] * point.opening : 0;
-      point.shear = intact ? flux.dot(perp(n)) + stiffness_[j][1] * point.slip : 0;
-    }
+    with_size(touches_second_order(joint), [&](auto size) {
+      const Side a = side_of<size>(model, now.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
+      const Side b = side_of<size>(model, now.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
+      const Vec2 n = turned_normal(joint, a.pose, b.pose);
+      const bool intact = joint.state == JointState::intact, exact = intact && joint.kind == BondKind::exact;
+      Vec2 flux = exact ? mean_flux(a, b, 0) : Vec2(0, 0);
+      for (JointPoint& point : joint.points) {
+        const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at);
+        if (size > first_order_dofs && exact) flux = mean_flux(a, in_a, b, in_b, 0);
+        const Vec2 gap = b.pose.displacement<size>(in_b) - a.pose.displacement<size>(in_a);
+        point.opening = gap.dot(n);
+        point.slip = gap.dot(perp(n));
+        if (joint.bridged) continue;  // its traction is that of BridgeTerms
+        point.normal = intact ? flux.dot(n) + stiffness_[j][0] * point.opening : 0;
+        point.shear = intact ? flux.dot(perp(n)) + stiffness_[j][1] * point.slip : 0;
+      }
+    });
   }
 }
 

@@ -8,12 +8,14 @@
 // no joint compliance. The sum with the blocks' strain energy is positive when, for each block,
 //   Σ_e w_e² L_e |N_e D ε|² / κ_e <= A ε·D ε        (Young's inequality on each edge's flux),
 // so with κ the largest eigenvalue of that quotient at κ_e = 1, k = penalty (κ_a + κ_b), penalty > 1, is
-// positive definite by proof, on any mesh. κ ~ E/h.
+// positive definite by proof, on any mesh. κ ~ E/h. Of second-order blocks ε and σ vary, and both are integrals.
 //
 // spring: springs at the edge's ends (Ning et al. 2011), normal and shear.
 #include "equations/system.h"
 
 namespace talus {
+
+struct Ends;
 
 class JointTerms {
  public:
@@ -27,8 +29,8 @@ class JointTerms {
   double energy(const Model& model, double ahead) const;
   double energy_of(const Model& model, int joint, double ahead) const;  // whether intact or not
 
-  // Pa, {σ}n of an exact bond in the joint's axes, whether intact or not; nothing for springs.
-  BondTraction flux(const Model& model, int joint) const;
+  // Pa, {σ}n of an exact bond in the joint's axes at the place `at` along it, whether intact or not; nothing for springs.
+  BondTraction flux(const Model& model, int joint, double at) const;
 
   // N/m3: {normal, shear} stiffness per area of joint `j`; k twice for an exact bond.
   std::array<double, 2> stiffness(int j) const { return stiffness_[j]; }
@@ -36,6 +38,8 @@ class JointTerms {
 
  private:
   double energy_of(const Model& model, int joint, const Pose& a, const Pose& b, double ahead) const;
+  template <int size>  // of the larger block's unknowns
+  void add_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int joint, System& system) const;
 
   std::vector<std::array<double, 2>> stiffness_;
   std::vector<double> ground_stiffness_;

@@ -4,6 +4,9 @@
 
 namespace talus {
 
+// Whether a block beside is of second order: build() has given the joint a third point then.
+inline bool touches_second_order(const Joint& joint) { return joint.points.size() == JointPoints::most; }
+
 // All blocks that are awake at both ends of the step, flown once for all their bonds.
 struct Ends {
   std::vector<Pose> start, end;
@@ -24,37 +27,36 @@ inline double spin_of(const Model& model, const Joint& joint) {  // rad/s, of th
 }
 
 // The jump `seconds` ahead, at its rate relative to axes that turn with the pair.
-inline Vec2 jump_ahead(const Joint& joint, const Pose& a, const Pose& b, double spin, double seconds, double along) {
-  const Vec2 in_a = between(joint.in_a, along), in_b = between(joint.in_b, along);
-  const Vec2 jump = b.displacement(in_b) - a.displacement(in_a);
+template <int n>
+Vec2 jump_ahead(const Pose& a, const Vec2& in_a, const Pose& b, const Vec2& in_b, double spin, double seconds) {
+  const Vec2 jump = b.displacement<n>(in_b) - a.displacement<n>(in_a);
   if (seconds == 0) return jump;
-  return jump + seconds * (b.velocity_at(in_b) - a.velocity_at(in_a) - spin * perp(jump));
+  return jump + seconds * (b.velocity_at<n>(in_b) - a.velocity_at<n>(in_a) - spin * perp(jump));
 }
 
-// The jump of a bond, weighed between both ends of the step.
+// The jump of a bond, weighed between both ends of the step. n: see Pose.
+template <int n>
 class Jump {
  public:
   Jump(const Model& model, const Ends& ends, const Joint& joint, const Scheme& scheme)
-      : joint_(joint),
-        scheme_(scheme),
+      : scheme_(scheme),
         spin_(spin_of(model, joint)),
         start_{&ends.start[joint.a], &ends.start[joint.b]},
         end_{&ends.end[joint.a], &ends.end[joint.b]},
         from_start_(Rotation::of(spin_ * scheme.mid)),
         from_end_(Rotation::of(spin_ * (scheme.mid - scheme.dt))) {}
 
-  // At d = 0, turned to the configuration of linearisation; see Scheme::bond_end.
-  Vec2 at(double along) const {
-    return (1 - scheme_.bond_end) * from_start_.turn(ahead(start_, along)) +
-           scheme_.bond_end * from_end_.turn(ahead(end_, along));
+  // At d = 0, between material points of both blocks, turned to the configuration of linearisation; see Scheme::bond_end.
+  Vec2 at(const Vec2& in_a, const Vec2& in_b) const {
+    return (1 - scheme_.bond_end) * from_start_.turn(ahead(start_, in_a, in_b)) +
+           scheme_.bond_end * from_end_.turn(ahead(end_, in_a, in_b));
   }
 
  private:
-  Vec2 ahead(const std::array<const Pose*, 2>& poses, double along) const {
-    return jump_ahead(joint_, *poses[0], *poses[1], spin_, scheme_.bond_ahead, along);
+  Vec2 ahead(const std::array<const Pose*, 2>& poses, const Vec2& in_a, const Vec2& in_b) const {
+    return jump_ahead<n>(*poses[0], in_a, *poses[1], in_b, spin_, scheme_.bond_ahead);
   }
 
-  const Joint& joint_;
   const Scheme& scheme_;
   double spin_;  // rad/s, of the pair
   std::array<const Pose*, 2> start_, end_;  // of blocks a and b

@@ -1,6 +1,23 @@
 #include "equations/kinematics.h"
 
+#include <algorithm>
+
 namespace talus {
+
+namespace {
+
+void bend(const BlockShape& shape, const BlockState& state, double seconds, PoseBend& bend) {
+  bend.there = true;
+  bend.shape = shape.bend();
+  std::copy_n(&state.velocity[first_order_dofs], bend.rate.size(), bend.rate.begin());
+  for (size_t k = 0; k < bend.now.size(); ++k) bend.now[k] = state.bend[k] + seconds * bend.rate[k];
+}
+
+}  // namespace
+
+Vec2 Pose::bent(const Vec2& in_block, const BendArray& b) const {
+  return rotation.turn(bend.shape.displacement(in_block, b));
+}
 
 Pose flown(const Model& model, int block, double seconds) {
   return flown(model.shapes[block], model.blocks[block], seconds);
@@ -15,7 +32,8 @@ Pose flown(const BlockShape& shape, const BlockState& state, double seconds) {
   pose.rotation = Rotation::of(state.angle + per_length * v[2]);
   pose.strain = state.strain + per_length * Vec3(v[3], v[4], v[5]);
   pose.length = shape.length;
-  pose.velocity = v;
+  std::copy_n(v.begin(), first_order_dofs, pose.velocity.begin());
+  if (shape.second_order()) bend(shape, state, seconds, pose.bend);
   return pose;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <unordered_set>
 
+#include "equations/kinematics.h"
 #include "model/groups.h"
 
 namespace talus {
@@ -15,7 +16,7 @@ namespace {
 // Edge of the equilateral triangle with a block's area, in units of √area.
 constexpr double edge_per_length = 1.5197;
 // Corners count by (1 - (r/R)²)², so that none matters more for being just inside the patch.
-constexpr double patch_edges = 4;
+constexpr double patch_edges = 4, second_order_patch_edges = 1.5;
 // Pivots below this part of the largest: corners that lie on a line or a conic.
 constexpr double least_pivot = 1e-10;
 
@@ -34,13 +35,14 @@ struct Cubic {
   }
 };
 
-constexpr int most_unknowns = 16;
+constexpr int most_unknowns = 20;
 using Normal = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns, most_unknowns>;
 using Side = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_unknowns, 1>;
 
-// Rows for u and v at p; `terms` monomials of degree < 3 each, and 4 mixed unknowns when `cubic` is given.
+// Rows for u and v at p; `terms` monomials of degree < 4 each, and 4 mixed unknowns when `cubic` is given.
 void rows_at(const Vec2& p, int terms, const Cubic* cubic, Side& u, Side& v) {
-  const double x = p.x(), y = p.y(), m[6] = {1, x, y, x * x, x * y, y * y};
+  const double x = p.x(), y = p.y(), xx = x * x, yy = y * y;
+  const double m[10] = {1, x, y, xx, x * y, yy, xx * x, xx * y, x * yy, yy * y};
   u.setZero();
   v.setZero();
   for (int k = 0; k < terms; ++k) u[k] = v[terms + k] = m[k];
@@ -114,10 +116,34 @@ void Recovery::connect(const Model& model) {
   }
 }
 
+// The middle of an edge is shared across a bond of two second-order blocks; a first-order block has only a straight line
+// to say there.
+void Recovery::connect_middles(const Model& model) {
+  middle_of_edge_.clear();
+  if (model.quadratic_shapes.empty()) return;
+  middle_of_edge_.assign(model.reference_vertex.size(), -1);
+  for (int b = 0; b < int(model.shapes.size()); ++b) {
+    const BlockShape& shape = model.shapes[b];
+    for (int v = shape.vertex_begin; shape.second_order() && v < shape.vertex_end; ++v) {
+      const Vec2 next = model.reference_vertex[shape.vertex_begin + model.next_vertex(b, v - shape.vertex_begin)];
+      middle_of_edge_[v] = int(corner_position_.size());
+      corner_position_.push_back(shape.reference_centroid + (model.reference_vertex[v] + next) / 2);
+    }
+  }
+  for (const Joint& joint : model.joints) {
+    const BlockShape &a = model.shapes[joint.a], &b = model.shapes[joint.b];
+    if (joint.state == JointState::intact && a.second_order() && b.second_order())
+      middle_of_edge_[b.vertex_begin + joint.edge_b] = middle_of_edge_[a.vertex_begin + joint.edge_a];
+  }
+}
+
 void Recovery::update(const Model& model) {
   const int intact = int(std::count_if(model.joints.begin(), model.joints.end(),
                                        [](const Joint& joint) { return joint.state == JointState::intact; }));
-  if (intact != intact_joints_) connect(model);
+  if (intact != intact_joints_) {
+    connect(model);
+    connect_middles(model);
+  }
   intact_joints_ = intact;
   corner_displacement_.assign(corner_position_.size(), Vec2::Zero());
   std::vector<int> count(corner_position_.size(), 0);
@@ -127,12 +153,34 @@ void Recovery::update(const Model& model) {
     corner_displacement_[corner] += model.vertex[v] - corner_position_[corner];
     ++count[corner];
   }
+  for (int b = 0; !middle_of_edge_.empty() && b < int(model.shapes.size()); ++b) {
+    const BlockShape& shape = model.shapes[b];
+    if (!shape.second_order()) continue;
+    const Pose pose = flown(model, b, 0);
+    for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) {
+      const Vec2 middle = corner_position_[middle_of_edge_[v]] - shape.reference_centroid;
+      corner_displacement_[middle_of_edge_[v]] += pose.displacement(middle);
+      ++count[middle_of_edge_[v]];
+    }
+  }
   for (size_t c = 0; c < count.size(); ++c) corner_displacement_[c] /= std::max(count[c], 1);
+}
+
+bool Recovery::take_middles(const BlockShape& shape, const Vec2& at, Patch& patch) const {
+  bool near = false;
+  for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) {
+    const int middle = middle_of_edge_[v];
+    if ((corner_position_[middle] - at).norm() > patch.radius) continue;
+    near = true;
+    if (std::find(patch.corners.begin(), patch.corners.end(), middle) == patch.corners.end()) patch.corners.push_back(middle);
+  }
+  return near;
 }
 
 Recovery::Patch Recovery::patch(const Model& model, int block, const Vec2& at) const {
   Patch patch;
-  patch.radius = patch_edges * edge_per_length * model.shapes[block].length;
+  const BlockShape& own = model.shapes[block];
+  patch.radius = (own.second_order() ? second_order_patch_edges : patch_edges) * edge_per_length * own.length;
   std::vector<int> queue{block};
   std::unordered_set<int> seen{block}, taken;
   for (size_t head = 0; head < queue.size(); ++head) {
@@ -144,6 +192,7 @@ Recovery::Patch Recovery::patch(const Model& model, int block, const Vec2& at) c
       near = true;
       if (taken.insert(corner).second) patch.corners.push_back(corner);
     }
+    if (shape.second_order()) near = take_middles(shape, at, patch) || near;
     if (!near) continue;
     for (int k = neighbour_begin_[queue[head]]; k < neighbour_begin_[queue[head] + 1]; ++k)
       if (model.shapes[neighbours_[k]].material == shape.material && seen.insert(neighbours_[k]).second)
@@ -153,15 +202,17 @@ Recovery::Patch Recovery::patch(const Model& model, int block, const Vec2& at) c
 }
 
 Vec3 Recovery::stress_at(const Model& model, int block, const Vec2& in_block) const {
-  if (model.shapes[block].dofs <= 3) return model.stress(block);
+  if (model.shapes[block].dofs <= rigid_dofs) return model.stress(block);
   const Vec2 at = model.reference_place(block, in_block);
   const Patch patch = this->patch(model, block, at);
   const size_t count = patch.corners.size();
   // Half as many corners again as the polynomial needs: else one of lower degree.
-  const int terms = count >= 9 ? 6 : count >= 5 ? 3 : 0;
-  if (terms == 0) return model.stress(block);
+  // A second-order block's own stress is no worse than that of a polynomial of second degree.
+  const bool second = model.shapes[block].second_order();
+  const int terms = second ? (count >= 15 ? 10 : 0) : count >= 9 ? 6 : count >= 5 ? 3 : 0;
+  if (terms == 0) return model.stress(block, in_block);
   const Cubic cubic(elasticity(model.material(block)));
-  const Cubic* const with_cubic = count >= 15 ? &cubic : nullptr;
+  const Cubic* const with_cubic = count >= 15 && !second ? &cubic : nullptr;
   const double spin = model.blocks[block].velocity[2] / model.shapes[block].length;
   const double turning = with_cubic ? model.material(block).density * spin * spin * std::pow(patch.radius, 3) /
                                           (6 * elasticity(model.material(block))(0, 0))
@@ -184,7 +235,8 @@ Vec3 Recovery::stress_at(const Model& model, int block, const Vec2& in_block) co
     right += weight * (moved.x() * u + moved.y() * v);
   }
   const Eigen::LDLT<Normal> factor(normal);
-  if (factor.vectorD().minCoeff() < least_pivot * factor.vectorD().maxCoeff()) return model.stress(block);
+  if (factor.vectorD().minCoeff() < least_pivot * factor.vectorD().maxCoeff())
+    return model.stress(block, in_block);
   const Side c = factor.solve(right) / patch.radius;
   Mat2 f;
   f << 1 + c[1], c[2], c[terms + 1], 1 + c[terms + 2];

@@ -1,8 +1,7 @@
 #include "equations/supports.h"
 
-#include <cmath>
-
 #include "equations/side.h"
+#include "model/gauss.h"
 
 namespace talus {
 
@@ -13,12 +12,14 @@ Mat2 held_directions(const Fixity& fixity) {
 }
 
 // A support at the configuration of linearisation, under the unknowns.
+template <int n>
 struct Held {
-  DofRows displacement, flux;  // under unit unknowns, in the held directions
-  Vec2 gap, traction;          // m, Pa, at d = 0
+  RowsOf<n> displacement, flux;  // under unit unknowns, in the held directions
+  Vec2 gap, traction;            // m, Pa, at d = 0
 };
 
-Held held_at(const Model& model, const SupportPoint& point, const Pose& pose, const Scheme& scheme) {
+template <int n>
+Held<n> held_at(const Model& model, const SupportPoint& point, const Pose& pose, const Scheme& scheme) {
   const Fixity& fixity = model.scene.fixities[point.fixity];
   const Mat2 held = held_directions(fixity);
   const Side side = side_of(model, pose, point.block, point.normal, 1);
@@ -28,20 +29,21 @@ Held held_at(const Model& model, const SupportPoint& point, const Pose& pose, co
   };
   const Vec2 displacement = (1 - scheme.bond_end) * ahead(start) + scheme.bond_end * ahead(end);
   const Vec2 wanted = fixity_displacement(fixity, model.time + scheme.hold_time);
-  Held h;
-  h.displacement = held * pose.rows(pose.place(point.in_block));
-  h.flux = DofRows::Zero();
+  Held<n> h;
+  h.displacement = held * pose.rows<n>(point.in_block, pose.place(point.in_block));
+  h.flux = RowsOf<n>::Zero();
   h.traction = Vec2::Zero();
   if (point.normal != Vec2::Zero()) {
-    h.flux = held * side.flux();
-    h.traction = held * side.traction(side.strain_at(scheme.bond_v));
+    h.flux = held * side.flux<n>(point.in_block);
+    h.traction = held * side.traction_at(point.in_block, scheme.bond_v);
   }
   h.gap = held * (wanted - displacement);
   return h;
 }
 
-DofColumn of_block(const BlockShape& shape, const Vector& x) {
-  DofColumn c = DofColumn::Zero();
+template <int n>
+ColumnOf<n> of_block(const BlockShape& shape, const Vector& x) {
+  ColumnOf<n> c = ColumnOf<n>::Zero();
   for (int k = 0; k < shape.dofs; ++k) c[k] = x[shape.dof_begin + k];
   return c;
 }
@@ -62,24 +64,26 @@ void Supports::prepare(const Model& model, const std::vector<double>& edge_stiff
   for (size_t e = 0; e < model.edge_fixities.size(); ++e) {
     const EdgeFixity& edge = model.edge_fixities[e];
     if (model.shapes[edge.block].dofs == 0) continue;
-    for (double at : {0.5 - std::sqrt(3.0) / 6, 0.5 + std::sqrt(3.0) / 6})
-      points_.push_back(
-          {edge.fixity, edge.block, between(edge.in_block, at), edge.normal, edge.length / 2, edge_stiffness[e]});
+    for (const GaussPoint& point : gauss_points(model.shapes[edge.block]))
+      points_.push_back({edge.fixity, edge.block, between(edge.in_block, point.at), edge.normal, edge.length * point.share,
+                         edge_stiffness[e]});
   }
 }
 
 void Supports::add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const {
   for (const SupportPoint& point : points_) {
     if (model.sleeps(point.block)) continue;
+    const BlockShape& shape = model.shapes[point.block];
     const Pose& pose = poses.blocks[point.block];
-    const auto [t, s, gap, traction] = held_at(model, point, pose, scheme);
-    const double w = point.weight, k = point.stiffness;
-    system.add_force(model.shapes[point.block], point.block,
-                     w * (t.transpose() * (traction + k * gap) - s.transpose() * gap));
-    if (point.normal != Vec2::Zero()) system.add_rounding(point.block, k * w, pose.shift.norm());
-    system.matrix.add(
-        system.matrix.slot(point.block, point.block), false,
-        DofMatrix(w * scheme.bond_d * (k * t.transpose() * t - t.transpose() * s - s.transpose() * t)));
+    with_size(shape.second_order(), [&](auto n) {
+      const auto [t, s, gap, traction] = held_at<n>(model, point, pose, scheme);
+      const double w = point.weight, k = point.stiffness;
+      system.add_force(shape, point.block, ColumnOf<n>(w * (t.transpose() * (traction + k * gap) - s.transpose() * gap)));
+      if (point.normal != Vec2::Zero()) system.add_rounding(point.block, k * w, pose.shift.norm());
+      system.matrix.add(
+          system.matrix.slot(point.block, point.block), false,
+          MatrixOf<n>(w * scheme.bond_d * (k * t.transpose() * t - t.transpose() * s - s.transpose() * t)));
+    });
   }
 }
 
@@ -92,7 +96,7 @@ double Supports::energy(const Model& model, double ahead) const {
     const Vec2 gap =
         held_directions(fixity) * (fixity_displacement(fixity, model.time + ahead) -
                                    pose.displacement(point.in_block) - ahead * pose.velocity_at(point.in_block));
-    sum += point.weight * (side.traction(side.strain_at(ahead)) + point.stiffness / 2 * gap).dot(gap);
+    sum += point.weight * (side.traction_at(point.in_block, ahead) + point.stiffness / 2 * gap).dot(gap);
   }
   return sum;
 }
@@ -105,30 +109,32 @@ Supports::Work Supports::work(const Model& model, const Poses& poses, const Sche
   Work sum;
   for (const SupportPoint& point : points_) {
     if (model.sleeps(point.block)) continue;
-    const Fixity& fixity = model.scene.fixities[point.fixity];
-    const auto [t, s, gap, traction] = held_at(model, point, poses.blocks[point.block], scheme);
-    const Mat2 held = held_directions(fixity);
-    const auto wanted = [&](double seconds) -> Vec2 {
-      return held * fixity_displacement(fixity, model.time + seconds);
-    };
-    const BlockShape& shape = model.shapes[point.block];
-    const DofColumn own = of_block(shape, d);
-    const DofColumn v0 = Eigen::Map<const DofColumn>(model.blocks[point.block].velocity.data());
-    const DofColumn step = scheme.step_v * v0 + scheme.move_d * own;
-    const DofColumn w = scheme.bond_v * v0 + (scheme.bond_d - scheme.move_d / 2) * own;
-    const Vec2 before = wanted(0) - held * flown(model, point.block, 0).displacement(point.in_block);
-    const Vec2 after = wanted(scheme.dt) - held * flown(shape, moved[point.block], 0).displacement(point.in_block);
-    const Vec2 mean = gap - scheme.bond_d * (t * own);
-    const Vec2 jump = after - before, jump_w = mean - (before + after) / 2;
-    const auto form = [&](const Vec2& g, const Vec2& g_w) {
-      return point.weight * ((s * step).dot(g_w) + (s * w).dot(g) + point.stiffness * g.dot(g_w));
-    };
-    sum.numerical += form(jump, jump_w) - form(-t * step, -t * w);
-    if (fixity.motion == Fixity::none) continue;
-    const Vec2 force = point.weight * (traction + scheme.bond_d * (s * own) + point.stiffness * mean);
-    const Vec2 moved_x = wanted(scheme.dt) - wanted(0), moved_y = wanted(scheme.dt + ahead1) - wanted(ahead0);
-    sum.boundary += force.dot(moved_y);
-    sum.numerical += force.dot(moved_y - moved_x);
+    with_size(model.shapes[point.block].second_order(), [&](auto n) {
+      const Fixity& fixity = model.scene.fixities[point.fixity];
+      const auto [t, s, gap, traction] = held_at<n>(model, point, poses.blocks[point.block], scheme);
+      const Mat2 held = held_directions(fixity);
+      const auto wanted = [&](double seconds) -> Vec2 {
+        return held * fixity_displacement(fixity, model.time + seconds);
+      };
+      const BlockShape& shape = model.shapes[point.block];
+      const ColumnOf<n> own = of_block<n>(shape, d);
+      const ColumnOf<n> v0 = Eigen::Map<const ColumnOf<n>>(model.blocks[point.block].velocity.data());
+      const ColumnOf<n> step = scheme.step_v * v0 + scheme.move_d * own;
+      const ColumnOf<n> w = scheme.bond_v * v0 + (scheme.bond_d - scheme.move_d / 2) * own;
+      const Vec2 before = wanted(0) - held * flown(model, point.block, 0).displacement(point.in_block);
+      const Vec2 after = wanted(scheme.dt) - held * flown(shape, moved[point.block], 0).displacement(point.in_block);
+      const Vec2 mean = gap - scheme.bond_d * (t * own);
+      const Vec2 jump = after - before, jump_w = mean - (before + after) / 2;
+      const auto form = [&](const Vec2& g, const Vec2& g_w) {
+        return point.weight * ((s * step).dot(g_w) + (s * w).dot(g) + point.stiffness * g.dot(g_w));
+      };
+      sum.numerical += form(jump, jump_w) - form(-t * step, -t * w);
+      if (fixity.motion == Fixity::none) return;
+      const Vec2 force = point.weight * (traction + scheme.bond_d * (s * own) + point.stiffness * mean);
+      const Vec2 moved_x = wanted(scheme.dt) - wanted(0), moved_y = wanted(scheme.dt + ahead1) - wanted(ahead0);
+      sum.boundary += force.dot(moved_y);
+      sum.numerical += force.dot(moved_y - moved_x);
+    });
   }
   return sum;
 }
@@ -139,7 +145,7 @@ std::vector<Vec2> Supports::reactions(const Model& model, double t) const {
     const Fixity& fixity = model.scene.fixities[point.fixity];
     const Pose pose = flown(model, point.block, 0);
     const Vec2 gap = fixity_displacement(fixity, t) - pose.displacement(point.in_block);
-    const Vec2 traction = side_of(model, pose, point.block, point.normal, 1).traction(pose.strain);
+    const Vec2 traction = side_of(model, pose, point.block, point.normal, 1).traction_at(point.in_block, 0);
     sum[point.fixity] += point.weight * held_directions(fixity) * (traction + point.stiffness * gap);
   }
   return sum;

@@ -1,6 +1,6 @@
 #pragma once
 // Fixed points and edges bonded to the ground. A point is held by a spring, an edge by Nitsche's terms at two
-// Gauss points; with g = (where the fixity wants the point) - (displacement of the block) in the held directions
+// Gauss points, three of a second-order block; with g = (where the fixity wants the point) - (displacement of the block) in the held directions
 //   force on the block  t = {σ}n + k g  (a point without {σ}n),   energy  {σ}n · g + ½ k g · g.
 // Like the jump of a bond, the displacement is weighed from both ends of the step (Scheme::bond_end): straight
 // flight alone would take a block that swings on a pin (ω Δt)² of its size away from it, times a very stiff

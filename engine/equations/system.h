@@ -21,7 +21,8 @@ struct System {
     force_scale.assign(model.shapes.size(), 0.0);
     force_rounding.assign(model.shapes.size(), 0.0);
   }
-  void add_force(const BlockShape& shape, int block, const DofColumn& f) {
+  template <int n>
+  void add_force(const BlockShape& shape, int block, const ColumnOf<n>& f) {
     for (int k = 0; k < shape.dofs; ++k) force[shape.dof_begin + k] += f[k];
     force_scale[block] += f.norm();
   }

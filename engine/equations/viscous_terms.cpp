@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "equations/side.h"
+#include "model/gauss.h"
 
 namespace talus {
 
@@ -11,14 +12,19 @@ namespace {
 // The springs give way by this part of what the block behind them is strained, as a fixed edge does (joint_terms.cpp).
 constexpr double hold_factor = 1000;
 
-// Velocities and displacements are linear along the edge: two Gauss points are exact for what is quadratic in them.
-Vec2 gauss_point(const ViscousEdge& edge, int point) {
-  const double reach = std::sqrt(3.0) / 6;
-  return between(edge.in_block, point == 0 ? 0.5 - reach : 0.5 + reach);
-}
-constexpr int gauss_points = 2;
+// An integration point of the edge.
+struct EdgePoint {
+  int number;
+  Vec2 in_block;
+  double weight;  // m
+};
 
-double weight(const ViscousEdge& edge) { return edge.length / gauss_points; }
+std::vector<EdgePoint> points_of(const Model& model, const ViscousEdge& edge) {
+  std::vector<EdgePoint> points;
+  for (const GaussPoint& point : gauss_points(model.shapes[edge.block]))
+    points.push_back({int(points.size()), between(edge.in_block, point.at), edge.length * point.share});
+  return points;
+}
 
 // N/m3: E' / √area, many times.
 double hold_stiffness(const Model& model, int block) {
@@ -33,37 +39,39 @@ Mat2 impedance(const Material& material, const Vec2& n) {
          std::sqrt(material.density * d(2, 2)) * s * s.transpose();
 }
 
-DofMatrix damping(const Model& model, const ViscousEdge& edge, const Pose& pose) {
+template <int n>
+MatrixOf<n> damping(const Model& model, const ViscousEdge& edge, const Pose& pose) {
   const Mat2 z = impedance(model.material(edge.block), pose.rotation.turn(edge.normal));
-  DofMatrix c = DofMatrix::Zero();
-  for (int p = 0; p < gauss_points; ++p) {
-    const DofRows t = pose.rows(pose.place(gauss_point(edge, p)));
-    c += weight(edge) * t.transpose() * z * t;
+  MatrixOf<n> c = MatrixOf<n>::Zero();
+  for (const EdgePoint& point : points_of(model, edge)) {
+    const RowsOf<n> t = pose.rows<n>(point.in_block, pose.place(point.in_block));
+    c += point.weight * t.transpose() * z * t;
   }
   return c;
 }
 
+template <int n>
 void add_hold(const Model& model, const ViscousEdge& edge, const Pose& pose, System& system) {
-  const double k = hold_stiffness(model, edge.block) * weight(edge);
-  DofColumn force = DofColumn::Zero();
-  DofMatrix matrix = DofMatrix::Zero();
-  for (int p = 0; p < gauss_points; ++p) {
-    const Vec2 at = gauss_point(edge, p);
-    const DofRows t = pose.rows(pose.place(at));
-    force -= k * t.transpose() * pose.displacement(at);
+  const double stiffness = hold_stiffness(model, edge.block);
+  ColumnOf<n> force = ColumnOf<n>::Zero();
+  MatrixOf<n> matrix = MatrixOf<n>::Zero();
+  for (const EdgePoint& point : points_of(model, edge)) {
+    const double k = stiffness * point.weight;
+    const RowsOf<n> t = pose.rows<n>(point.in_block, pose.place(point.in_block));
+    force -= k * t.transpose() * pose.displacement(point.in_block);
     matrix += k * t.transpose() * t;
   }
   system.add_force(model.shapes[edge.block], edge.block, force);
-  system.add_rounding(edge.block, gauss_points * k, pose.shift.norm());
+  system.add_rounding(edge.block, stiffness * edge.length, pose.shift.norm());
   system.matrix.add(system.matrix.slot(edge.block, edge.block), false, matrix);
 }
 
+template <int n>
 void add_dashpots(const Model& model, const ViscousEdge& edge, const Pose& pose, const Scheme& scheme,
                   System& system) {
-  const DofMatrix c = damping(model, edge, pose);
-  const DofColumn v0 = Eigen::Map<const DofColumn>(pose.velocity.data());
-  system.add_force(model.shapes[edge.block], edge.block, -c * v0);
-  system.matrix.add(system.matrix.slot(edge.block, edge.block), false, DofMatrix(scheme.velocity_d / 2 * c));
+  const MatrixOf<n> c = damping<n>(model, edge, pose);
+  system.add_force(model.shapes[edge.block], edge.block, ColumnOf<n>(-c * pose.rates<n>()));
+  system.matrix.add(system.matrix.slot(edge.block, edge.block), false, MatrixOf<n>(scheme.velocity_d / 2 * c));
 }
 
 }  // namespace
@@ -73,22 +81,24 @@ void add_viscous_edges(const Model& model, const Poses& poses, const Scheme& sch
   for (const ViscousEdge& edge : model.viscous_edges) {
     if (model.sleeps(edge.block)) continue;
     const Pose& pose = poses.blocks[edge.block];
-    if (motion)
-      add_dashpots(model, edge, pose, scheme, system);
-    else
-      add_hold(model, edge, pose, system);
+    with_size(model.shapes[edge.block].second_order(), [&](auto n) {
+      if (motion)
+        add_dashpots<n>(model, edge, pose, scheme, system);
+      else
+        add_hold<n>(model, edge, pose, system);
+    });
   }
   if (!motion) return;
-  each_viscous_traction(model, poses, [&](int block, const Vec2& at, const Vec2& force) {
-    system.add_force(model.shapes[block], block, poses.blocks[block].rows(at).transpose() * force);
+  each_viscous_traction(model, poses, [&](int block, const LoadPoint& point, const Vec2& force) {
+    add_force(model, poses, block, point, force, system);
   });
 }
 
 void keep_viscous_tractions(Model& model) {
   for (ViscousEdge& edge : model.viscous_edges) {
     const Pose pose = flown(model, edge.block, 0);
-    for (int p = 0; p < gauss_points; ++p)
-      edge.traction[p] = -hold_stiffness(model, edge.block) * pose.displacement(gauss_point(edge, p));
+    for (const EdgePoint& point : points_of(model, edge))
+      edge.traction[point.number] = -hold_stiffness(model, edge.block) * pose.displacement(point.in_block);
   }
 }
 
@@ -96,8 +106,8 @@ double viscous_hold_energy(const Model& model) {
   double sum = 0;
   for (const ViscousEdge& edge : model.viscous_edges) {
     const Pose pose = flown(model, edge.block, 0);
-    for (int p = 0; p < gauss_points; ++p)
-      sum += hold_stiffness(model, edge.block) * weight(edge) * pose.displacement(gauss_point(edge, p)).squaredNorm() / 2;
+    for (const EdgePoint& point : points_of(model, edge))
+      sum += hold_stiffness(model, edge.block) * point.weight * pose.displacement(point.in_block).squaredNorm() / 2;
   }
   return sum;
 }
@@ -105,8 +115,9 @@ double viscous_hold_energy(const Model& model) {
 void each_viscous_traction(const Model& model, const Poses& poses, const LoadVisitor& visit) {
   for (const ViscousEdge& edge : model.viscous_edges) {
     if (model.sleeps(edge.block)) continue;
-    for (int p = 0; p < gauss_points; ++p)
-      visit(edge.block, poses.blocks[edge.block].place(gauss_point(edge, p)), weight(edge) * edge.traction[p]);
+    for (const EdgePoint& point : points_of(model, edge))
+      visit(edge.block, {point.in_block, poses.blocks[edge.block].place(point.in_block)},
+            point.weight * edge.traction[point.number]);
   }
 }
 
@@ -115,9 +126,11 @@ double viscous_form(const Model& model, const Poses& poses, const Vector& a, con
   for (const ViscousEdge& edge : model.viscous_edges) {
     if (model.sleeps(edge.block)) continue;
     const BlockShape& shape = model.shapes[edge.block];
-    const DofMatrix c = damping(model, edge, poses.blocks[edge.block]);
-    sum += a.segment(shape.dof_begin, shape.dofs)
-               .dot(c.topLeftCorner(shape.dofs, shape.dofs) * b.segment(shape.dof_begin, shape.dofs));
+    with_size(shape.second_order(), [&](auto n) {
+      const MatrixOf<n> c = damping<n>(model, edge, poses.blocks[edge.block]);
+      sum += a.segment(shape.dof_begin, shape.dofs)
+                 .dot(c.topLeftCorner(shape.dofs, shape.dofs) * b.segment(shape.dof_begin, shape.dofs));
+    });
   }
   return sum;
 }

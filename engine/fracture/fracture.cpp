@@ -17,7 +17,9 @@ constexpr double at_strength = 1 - 1e-7;
 constexpr double alike = 1e-6;
 
 double joint_jump(const Joint& joint, double JointPoint::*value) {
-  return (joint.points[0].*value + joint.points[1].*value) / 2;
+  double mean = 0;
+  for (const JointPoint& point : joint.points) mean += point.weight / joint.length * (point.*value);
+  return mean;
 }
 
 }  // namespace

@@ -78,6 +78,33 @@ double shared_by_fans(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 
 }  // namespace
 
+// A homogeneous polynomial of degree n over the simplex (origin, p, q) is cross(p, q)/(n + 2) times its mean along p→q;
+// Gauss's three points give that mean exactly up to degree 5.
+HighMoments integrate_high(const Polyline& polygon, const Vec2& origin) {
+  constexpr double reach = 0.3872983346207417;  // √(3/5)/2
+  HighMoments m;
+  Vec2 p = polygon.back() - origin;
+  for (const Vec2& point : polygon) {
+    const Vec2 q = point - origin;
+    const double w = cross(p, q) / 18;
+    for (const auto& [at, share] : {std::pair(0.5 - reach, 5 * w), std::pair(0.5, 8 * w), std::pair(0.5 + reach, 5 * w)}) {
+      const double x = (1 - at) * p.x() + at * q.x(), y = (1 - at) * p.y() + at * q.y();
+      const double xx = x * x, xy = x * y, yy = y * y, third = share / 5, fourth = share / 6;
+      m.third[0] += third * xx * x;
+      m.third[1] += third * xx * y;
+      m.third[2] += third * x * yy;
+      m.third[3] += third * yy * y;
+      m.fourth[0] += fourth * xx * xx;
+      m.fourth[1] += fourth * xx * xy;
+      m.fourth[2] += fourth * xx * yy;
+      m.fourth[3] += fourth * xy * yy;
+      m.fourth[4] += fourth * yy * yy;
+    }
+    p = q;
+  }
+  return m;
+}
+
 PolygonIntegrals integrate(const Polyline& polygon) {
   PolygonIntegrals result;
   if (polygon.empty()) return result;

@@ -1,6 +1,7 @@
 #pragma once
 // Simple polygons: exact simplex integrals (Shi 1988), checks, queries. No tolerance here depends on an
 // absolute length: each is relative to the polygon's own extent.
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,13 @@ struct PolygonIntegrals {
   double xx = 0, yy = 0, xy = 0;
 };
 PolygonIntegrals integrate(const Polyline& polygon);  // signed area: negative when clockwise
+
+// Third and fourth moments about `origin`: ∫x³, x²y, xy², y³ dA (m5), ∫x⁴, x³y, x²y², xy³, y⁴ dA (m6).
+struct HighMoments {
+  std::array<double, 4> third{};
+  std::array<double, 5> fourth{};
+};
+HighMoments integrate_high(const Polyline& polygon, const Vec2& origin);
 
 double signed_area(const Polyline& polygon);
 

@@ -111,7 +111,7 @@ Vec2 probe_velocity(Context c, int id) {
   return c.model.velocity_at(probe(c, id).block, probe_place(c, id));
 }
 Vec3 probe_raw(Context c, int id) {
-  return c.model.stress(probe(c, id).block);
+  return c.model.stress(probe(c, id).block, probe(c, id).in_block);
 }
 Vec3 probe_stress(Context c, int id) {
   if (!c.recovery) return probe_raw(c, id);
@@ -141,7 +141,8 @@ std::span<const Field> block_fields() {
       whole("id", "number of the block, from 0", [](Context, int i) { return i; }),
       whole("region", "number of its region, from 0", [](Context c, int i) { return shape(c, i).region; }),
       whole("material", "number of its material, from 0", [](Context c, int i) { return shape(c, i).material; }),
-      whole("order", "0 rigid or held, 1 first order", [](Context c, int i) { return shape(c, i).dofs == 6; }),
+      whole("order", "0 rigid or held, 1 first order, 2 second order",
+            [](Context c, int i) { return shape(c, i).dofs / first_order_dofs; }),
       whole("fixed", "1 for a held block", [](Context c, int i) { return shape(c, i).dofs == 0; }),
       whole("fragment", "which fragment it belongs to, from 0: blocks that hang together by intact bonds",
             [](Context c, int i) { return c.model.fragment.empty() ? 0 : c.model.fragment[i]; }),

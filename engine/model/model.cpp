@@ -11,6 +11,28 @@ Vec2 stretched(const Vec3& strain, const Vec2& x) {
   return {(1 + strain[0]) * x.x() + strain[2] / 2 * x.y(), strain[2] / 2 * x.x() + (1 + strain[1]) * x.y()};
 }
 
+// (I + e) X + q(X)
+Vec2 deformed(const BlockShape& shape, const BlockState& state, const Vec2& x) {
+  if (!shape.second_order()) return stretched(state.strain, x);
+  return stretched(state.strain, x) + shape.bend().displacement(x, state.bend);
+}
+
+// The undeformed arm of the point that now lies at `arm`, in the block's axes: q is small beside X, so that each round
+// gains the digits of a strain.
+Vec2 undeformed(const BlockShape& shape, const BlockState& state, const Vec2& arm) {
+  constexpr int rounds = 8;
+  Vec2 x = arm;
+  for (int k = 0; k < rounds; ++k) x += arm - deformed(shape, state, x);
+  return x;
+}
+
+// Its rate but for the rotation, at the undeformed arm X of a second-order block.
+Vec2 deforming(const BlockShape& shape, const BlockState& state, const Vec2& x) {
+  const auto& v = state.velocity;
+  return Vec2(v[3] * x.x() + v[5] / 2 * x.y(), v[5] / 2 * x.x() + v[4] * x.y()) / shape.length +
+         shape.bend().displacement(x, &v[first_order_dofs]);
+}
+
 }  // namespace
 
 std::string block_name(const Model& model, int block) {
@@ -23,10 +45,11 @@ std::string block_name(const Model& model, int block) {
 
 Vec2 Model::place(int block, const Vec2& in_block) const {
   const BlockState& state = blocks[block];
-  return state.centroid + Rotation::of(state.angle).turn(stretched(state.strain, in_block));
+  return state.centroid + Rotation::of(state.angle).turn(deformed(shapes[block], state, in_block));
 }
 
 Vec2 Model::velocity_at(int block, const Vec2& point) const {
+  if (shapes[block].second_order()) return bent_velocity(block, point);
   const BlockState& state = blocks[block];
   const Rotation rotation = Rotation::of(state.angle);
   const auto& v = state.velocity;
@@ -35,7 +58,31 @@ Vec2 Model::velocity_at(int block, const Vec2& point) const {
   return Vec2(v[0], v[1]) + rotation.turn(local);
 }
 
+Vec2 Model::bent_velocity(int block, const Vec2& point) const {
+  const BlockState& state = blocks[block];
+  const Rotation rotation = Rotation::of(state.angle);
+  const Vec2 arm = undeformed(shapes[block], state, rotation.back(point - state.centroid));
+  return Vec2(state.velocity[0], state.velocity[1]) + state.velocity[2] / shapes[block].length * perp(point - state.centroid) +
+         rotation.turn(deforming(shapes[block], state, arm));
+}
+
+Vec2 Model::velocity_on_bent_edge(int block, int edge, const Vec2& point) const {
+  const BlockShape& shape = shapes[block];
+  const BlockState& state = blocks[block];
+  const Rotation rotation = Rotation::of(state.angle);
+  const int ends[] = {shape.vertex_begin + edge, shape.vertex_begin + next_vertex(block, edge)};
+  const Vec2 span = vertex[ends[1]] - vertex[ends[0]];
+  const double at = (point - vertex[ends[0]]).dot(span) / span.squaredNorm();
+  const Vec2 deformation = (1 - at) * deforming(shape, state, reference_vertex[ends[0]]) +
+                           at * deforming(shape, state, reference_vertex[ends[1]]);
+  return Vec2(state.velocity[0], state.velocity[1]) + state.velocity[2] / shape.length * perp(point - state.centroid) +
+         rotation.turn(deformation);
+}
+
 double Model::area(int block) const {
+  const BlockShape& shape = shapes[block];
+  if (shape.second_order())
+    return signed_area(Polyline(vertex.begin() + shape.vertex_begin, vertex.begin() + shape.vertex_end));
   const Vec3& e = blocks[block].strain;
   return shapes[block].area * ((1 + e[0]) * (1 + e[1]) - e[2] * e[2] / 4);
 }
@@ -46,6 +93,16 @@ Vec3 Model::stress(int block) const {
   return turn_stress(Rotation::of(state.angle), own);
 }
 
+Vec3 Model::stress(int block, const Vec2& in_block) const {
+  const BlockShape& shape = shapes[block];
+  if (!shape.second_order()) return stress(block);
+  const BlockState& state = blocks[block];
+  const QuadraticShape& quadratic = quadratic_shapes[shape.quadratic];
+  const Vec3 initial = shape.initial_stress + quadratic.stress_x * in_block.x() + quadratic.stress_y * in_block.y();
+  const Vec3 strain = state.strain + shape.bend().strain(in_block, state.bend);
+  return turn_stress(Rotation::of(state.angle), initial + elasticity(material(block)) * strain);
+}
+
 void Model::place_vertices() {
   vertex.resize(reference_vertex.size());
   for (int b = 0; b < int(shapes.size()); ++b) place_vertices(b);
@@ -54,8 +111,11 @@ void Model::place_vertices() {
 void Model::place_vertices(int block) {
   const BlockState& state = blocks[block];
   const Rotation rotation = Rotation::of(state.angle);
-  for (int v = shapes[block].vertex_begin; v < shapes[block].vertex_end; ++v)
+  const BlockShape& shape = shapes[block];
+  for (int v = shape.vertex_begin; v < shape.vertex_end; ++v)
     vertex[v] = state.centroid + rotation.turn(stretched(state.strain, reference_vertex[v]));
+  for (int v = shape.vertex_begin; shape.second_order() && v < shape.vertex_end; ++v)
+    vertex[v] += rotation.turn(shape.bend().displacement(reference_vertex[v], state.bend));
 }
 
 void Model::changed() {

@@ -8,21 +8,38 @@
 #include <unordered_map>
 #include <vector>
 
+#include "geometry/polygon.h"
 #include "geometry/vec2.h"
+#include "model/bend.h"
 #include "scene/scene.h"
 
 namespace talus {
 
-using Vec3 = Eigen::Vector3d;
 using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
 
-constexpr int max_dofs = 6;
-// Unknowns of a block, all in metres: translation of the centroid (x, y; global axes), then l·rotation, and
-// for first-order blocks l·(εx, εy, γxy) in the block's own turning axes. l is the block's length √area.
-using DofColumn = Eigen::Matrix<double, max_dofs, 1>;
-using DofMatrix = Eigen::Matrix<double, max_dofs, max_dofs>;
-using DofRows = Eigen::Matrix<double, 2, max_dofs>;  // displacement under unit unknowns
+// Unknowns of a block, all in metres: translation of the centroid (x, y; global axes), then l·rotation, for first-order
+// blocks l·(εx, εy, γxy) in the block's own turning axes, and for second-order ones the six of model/bend.h. l is the
+// block's length √area.
+constexpr int rigid_dofs = 3, first_order_dofs = 6, second_order_dofs = 12;
+constexpr int max_dofs = second_order_dofs;
+// Columns, matrices and rows (displacement under unit unknowns) are of one of two fixed sizes, that of first order for
+// all that is no second-order block: what a scene has none of costs it nothing.
+template <int n>
+using ColumnOf = Eigen::Matrix<double, n, 1>;
+template <int n>
+using MatrixOf = Eigen::Matrix<double, n, n>;
+template <int n>
+using RowsOf = Eigen::Matrix<double, 2, n>;
+using DofColumn = ColumnOf<first_order_dofs>;
+using DofMatrix = MatrixOf<first_order_dofs>;
+using DofRows = RowsOf<first_order_dofs>;
+
+// f(n) with n the fixed size that serves blocks of so many unknowns.
+template <class F>
+decltype(auto) with_size(bool second_order, F&& f) {
+  return second_order ? f(std::integral_constant<int, second_order_dofs>()) : f(std::integral_constant<int, first_order_dofs>());
+}
 
 struct Rotation {
   double c = 1, s = 0;
@@ -41,13 +58,14 @@ struct BlockState {
                                      // joint's jump is a difference of displacements and keeps its digits
   Vec2 centroid = Vec2::Zero();      // m, reference centroid + shift
   double angle = 0;                  // rad, since the start
-  Vec3 strain = Vec3::Zero();        // εx, εy, γxy in the block's axes, since the start
+  Vec3 strain = Vec3::Zero();        // εx, εy, γxy in the block's axes, since the start; of second order at the centroid
+  BendArray bend{};                  // m, of second-order blocks: model/bend.h
   std::array<double, max_dofs> velocity{};  // rates of the unknowns, m/s
 };
 
 // What a block is: constant after build.
 struct BlockShape {
-  int dofs = 0;  // 0 held, 3 rigid, 6 first order
+  int dofs = 0;  // 0 held, 3 rigid, 6 first order, 12 second order
   int dof_begin = 0;
   int vertex_begin = 0, vertex_end = 0;  // into Model::vertex, reference_vertex
   int region = 0, material = 0;
@@ -56,7 +74,18 @@ struct BlockShape {
   double radius = 0;      // m, farthest vertex from the centroid
   double xx = 0, yy = 0, xy = 0;  // second moments about the centroid, reference axes, m4
   Vec2 reference_centroid = Vec2::Zero();
-  Vec3 initial_stress = Vec3::Zero();  // sxx, syy, sxy in the block's axes
+  Vec3 initial_stress = Vec3::Zero();  // sxx, syy, sxy in the block's axes; of second order at the centroid
+  int quadratic = -1;                  // of a second-order block: into Model::quadratic_shapes
+
+  bool second_order() const { return dofs == second_order_dofs; }
+  int rate_count() const { return second_order() ? second_order_dofs : first_order_dofs; }  // of BlockState::velocity that may not be nought
+  Bend bend() const { return {length, Vec3(xx, xy, yy) / (area * area)}; }
+};
+
+// What a second-order block is beside.
+struct QuadraticShape {
+  HighMoments moments;                                             // about the centroid, m5 and m6
+  Vec3 stress_x = Vec3::Zero(), stress_y = Vec3::Zero();  // Pa/m, gradients of the initial stress
 };
 
 enum class JointState : std::uint8_t { intact, failed };
@@ -77,6 +106,24 @@ struct JointPoint {  // an integration point of a joint, and its state
   double normal = 0, shear = 0;        // traction, Pa (of the last accepted step)
   double opening = 0, slip = 0;        // m, jump in the joint's axes
   Bridge across = {}, along = {};      // of a failed bond that is bridged
+};
+
+// Two points, or three where a block beside is of second order.
+class JointPoints {
+ public:
+  static constexpr int most = 3;
+  void resize(std::size_t count) { count_ = count; }
+  std::size_t size() const { return count_; }
+  JointPoint& operator[](std::size_t k) { return points_[k]; }
+  const JointPoint& operator[](std::size_t k) const { return points_[k]; }
+  JointPoint* begin() { return points_.data(); }
+  JointPoint* end() { return points_.data() + count_; }
+  const JointPoint* begin() const { return points_.data(); }
+  const JointPoint* end() const { return points_.data() + count_; }
+
+ private:
+  std::array<JointPoint, most> points_;
+  std::size_t count_ = 2;
 };
 
 // A persistent interface between two blocks that share an edge: a bond, until it fails, or a real joint, which was never
@@ -103,7 +150,7 @@ struct Joint {
   int edge_a = 0, edge_b = 0;          // the blocks' own edges, by local number
   std::array<int, 2> node = {-1, -1};  // of its ends, into Model::nodes
   double weight_a = 0.5, weight_b = 0.5;  // shares of the two blocks in the flux {σ}n
-  std::array<JointPoint, 2> points;
+  JointPoints points;
 };
 
 BondTraction mean_traction(const Joint& joint);  // over its points
@@ -148,7 +195,8 @@ struct ViscousEdge {  // or a part of one, that absorbs waves
   std::array<Vec2, 2> in_block;
   Vec2 normal = Vec2::Zero();  // outward, reference
   double length = 0;           // m, reference
-  std::array<Vec2, 2> traction = {Vec2::Zero(), Vec2::Zero()};  // Pa at its Gauss points, found in equilibrium, global
+  // Pa at its Gauss points, two or three, found in equilibrium, global
+  std::array<Vec2, 3> traction = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
 };
 
 struct PointForce {
@@ -213,6 +261,7 @@ class Model {
   long sleep_changes = 0;  // raised whenever others sleep: for what is derived from it
 
   std::vector<BlockShape> shapes;
+  std::vector<QuadraticShape> quadratic_shapes;
   std::vector<BlockState> blocks;
   std::vector<Vec2> reference_vertex;  // from the reference centroid
   std::vector<Vec2> vertex;            // now
@@ -245,18 +294,27 @@ class Model {
   void changed();
   void order_contacts();  // after a change of `asleep`
 
-  // Place of the material point `in_block` (from the reference centroid): c + R (I + e) X.
+  // Place of the material point `in_block` (from the reference centroid): c + R ((I + e) X + q(X)).
   Vec2 place(int block, const Vec2& in_block) const;
   Vec2 velocity_at(int block, const Vec2& point) const;
+  // Of a point of an edge, which stays straight between its corners; of first order that is velocity_at.
+  Vec2 velocity_on_edge(int block, int edge, const Vec2& point) const {
+    return shapes[block].second_order() ? velocity_on_bent_edge(block, edge, point) : velocity_at(block, point);
+  }
   Vec2 reference_place(int block, const Vec2& in_block) const { return shapes[block].reference_centroid + in_block; }
   double area(int block) const;       // m2, now
   double mass(int block) const { return material(block).density * shapes[block].area; }
-  Vec3 stress(int block) const;       // sxx, syy, sxy, global axes, raw (constant in a first-order block)
+  Vec3 stress(int block) const;       // sxx, syy, sxy, global axes, raw, at the centroid
+  Vec3 stress(int block, const Vec2& in_block) const;  // at a material point: another only in a second-order block
   void place_vertices();              // vertex from blocks
   void place_vertices(int block);
   int contact_property(int a, int b) const;
   Strength strength(const Joint& joint) const;            // of the intact bond
   Strength contact_strength(const Contact& contact) const;
+
+ private:
+  Vec2 velocity_on_bent_edge(int block, int edge, const Vec2& point) const;
+  Vec2 bent_velocity(int block, const Vec2& point) const;
 };
 
 std::string block_name(const Model& model, int block);  // for messages: its number from 1, region and place

@@ -1,10 +1,45 @@
 #include "model/registry.h"
 
+#include <algorithm>
+#include <tuple>
+
 namespace talus {
+
+namespace {
+
+// What second-order blocks have beside: a table of its own, in their order, so that others keep nothing of it.
+using Bends = std::vector<std::array<double, 2 * std::tuple_size_v<BendArray>>>;
+
+Bends bends_of(const Model& model) {
+  Bends bends(model.quadratic_shapes.size());
+  for (size_t b = 0; !bends.empty() && b < model.shapes.size(); ++b) {
+    if (!model.shapes[b].second_order()) continue;
+    const BlockState& state = model.blocks[b];
+    auto& bend = bends[size_t(model.shapes[b].quadratic)];
+    std::copy(state.velocity.begin() + first_order_dofs, state.velocity.end(), std::copy(state.bend.begin(), state.bend.end(), bend.begin()));
+  }
+  return bends;
+}
+
+void set_bends(const Bends& bends, Model& model) {
+  for (size_t b = 0; !bends.empty() && b < model.shapes.size(); ++b) {
+    if (!model.shapes[b].second_order()) continue;
+    BlockState& state = model.blocks[b];
+    const auto& bend = bends[size_t(model.shapes[b].quadratic)];
+    const auto rates = bend.begin() + long(state.bend.size());
+    std::copy(bend.begin(), rates, state.bend.begin());
+    std::copy(rates, bend.end(), state.velocity.begin() + first_order_dofs);
+  }
+}
+
+}  // namespace
 
 void visit_state(Model& model, StateVisitor& v) {
   v("time", model.time);
   v("blocks", model.blocks);
+  Bends bends = bends_of(model);
+  v("bends", bends);
+  set_bends(bends, model);
   v("joints", model.joints);
   v.growing("contacts", model.contacts);
   v.growing("asleep", model.asleep);
@@ -17,6 +52,7 @@ void visit_state(Model& model, StateVisitor& v) {
   v.constant("extent", model.extent);
   v.constant("gravity", model.scene.gravity);
   v.constant("shapes", model.shapes);
+  v.constant("quadratic_shapes", model.quadratic_shapes);
   v.constant("reference_vertex", model.reference_vertex);
   v.constant("regions", model.scene.regions);
   v.constant("held_by", model.held_by);
@@ -36,21 +72,37 @@ void visit_values(Scene& scene, StateVisitor& v) {
 }
 
 void visit_state(BlockState& state, StateVisitor& v) {
-  auto& [shift, centroid, angle, strain, velocity] = state;
+  [[maybe_unused]] auto& [shift, centroid, angle, strain, bend, velocity] = state;  // bend, its rates: see Bends
   v("shift", shift);
   v("centroid", centroid);
   v("angle", angle);
   v("strain", strain);
-  v("velocity", velocity);
+  std::array<double, first_order_dofs> first;
+  std::copy_n(velocity.begin(), first.size(), first.begin());
+  v("velocity", first);
+  std::copy(first.begin(), first.end(), velocity.begin());
 }
 
 void visit_state(BlockShape& shape, StateVisitor& v) {
   auto& [dofs, dof_begin, vertex_begin, vertex_end, region, material, area, length, radius, xx, yy, xy,
-         reference_centroid, initial_stress] = shape;
+         reference_centroid, initial_stress, quadratic] = shape;
   for (int* number : {&dofs, &dof_begin, &vertex_begin, &vertex_end, &region, &material}) v("shape", *number);
   for (double* number : {&area, &length, &radius, &xx, &yy, &xy}) v("shape", *number);
   v("reference_centroid", reference_centroid);
   v("initial_stress", initial_stress);
+  v("quadratic", quadratic);
+}
+
+void visit_state(QuadraticShape& shape, StateVisitor& v) {
+  auto& [moments, stress_x, stress_y] = shape;
+  v("third", moments.third);
+  v("fourth", moments.fourth);
+  v("stress_x", stress_x);
+  v("stress_y", stress_y);
+}
+
+void visit_state(JointPoints& points, StateVisitor& v) {
+  for (JointPoint& point : points) v("point", point);
 }
 
 void visit_state(JointPoint& point, StateVisitor& v) {

@@ -15,7 +15,9 @@ void visit_values(Scene& scene, StateVisitor& visitor);
 
 void visit_state(BlockState& state, StateVisitor& visitor);
 void visit_state(BlockShape& shape, StateVisitor& visitor);
+void visit_state(QuadraticShape& shape, StateVisitor& visitor);
 void visit_state(JointPoint& point, StateVisitor& visitor);
+void visit_state(JointPoints& points, StateVisitor& visitor);
 void visit_state(Bridge& bridge, StateVisitor& visitor);
 void visit_state(Joint& joint, StateVisitor& visitor);
 void visit_state(Contact& contact, StateVisitor& visitor);

@@ -39,6 +39,8 @@ void shift(Scene& scene, const Vec2& origin) {
       if (set.through) *set.through -= origin;
     if (region.mesh.size_at)
       region.mesh.size_at = [inner = region.mesh.size_at, origin](Vec2 p) { return inner(p + origin); };
+    if (region.order_at)
+      region.order_at = [inner = region.order_at, origin](Vec2 p) { return inner(p + origin); };
   }
   const auto move_on = [&origin](On& on) {
     on.from -= origin;
@@ -73,7 +75,7 @@ void number_unknowns(Model& model) {
 // a rigid block has no stress, so its share is 0.
 void share_fluxes(Model& model) {
   for (Joint& joint : model.joints) {
-    const bool soft_a = model.shapes[joint.a].dofs > 3, soft_b = model.shapes[joint.b].dofs > 3;
+    const bool soft_a = model.shapes[joint.a].dofs > rigid_dofs, soft_b = model.shapes[joint.b].dofs > rigid_dofs;
     const double young_a = model.material(joint.a).young, young_b = model.material(joint.b).young;
     joint.weight_a = !soft_a ? 0 : !soft_b ? 1 : young_b / (young_a + young_b);
     joint.weight_b = !soft_b ? 0 : 1 - joint.weight_a;

@@ -98,7 +98,7 @@ bool springs(const Model& model, int region) {
 
 void attach_fixity_edge(Model& model, int fixity, const Finder::Part& part, bool by_springs) {
   const BlockShape& shape = model.shapes[part.block];
-  if (by_springs || shape.dofs == 3) {
+  if (by_springs || shape.dofs == rigid_dofs) {
     attach_fixity_points(model, fixity, {part.block}, part.from);
     attach_fixity_points(model, fixity, {part.block}, part.to);
     return;

@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <stdexcept>
 
 #include "geometry/joint_set.h"
 #include "geometry/polygon.h"
+#include "model/gauss.h"
 #include "scene/build_parts.h"
 #include "scene/slivers.h"
 
@@ -98,11 +100,15 @@ Tessellation tessellate(const Region& region, const Cuts& cuts, long most) {
                  nx, ny);
 }
 
+int unknowns(BlockOrder order) {
+  return order == BlockOrder::rigid ? rigid_dofs : order == BlockOrder::first ? first_order_dofs : second_order_dofs;
+}
+
 int add_block(Model& model, int region_id, const Polyline& outline) {
   const Region& region = model.scene.regions[region_id];
   const PolygonIntegrals integrals = integrate(outline);
   BlockShape shape;
-  shape.dofs = region.held ? 0 : region.order == BlockOrder::rigid ? 3 : 6;
+  shape.dofs = region.held ? 0 : unknowns(region.order_at ? region.order_at(integrals.centroid) : region.order);
   shape.vertex_begin = int(model.reference_vertex.size());
   shape.region = region_id;
   shape.material = region.material;
@@ -122,6 +128,15 @@ int add_block(Model& model, int region_id, const Polyline& outline) {
     shape.initial_stress =
         region.stress->value + region.stress->gradient_x * user.x() + region.stress->gradient_y * user.y();
   }
+  if (shape.second_order()) {
+    shape.quadratic = int(model.quadratic_shapes.size());
+    QuadraticShape& quadratic = model.quadratic_shapes.emplace_back();
+    quadratic.moments = integrate_high(outline, integrals.centroid);
+    if (region.stress) {
+      quadratic.stress_x = region.stress->gradient_x;
+      quadratic.stress_y = region.stress->gradient_y;
+    }
+  }
   BlockState state;
   state.centroid = integrals.centroid;
   model.shapes.push_back(shape);
@@ -131,6 +146,19 @@ int add_block(Model& model, int region_id, const Polyline& outline) {
 
 // The local edge of a cell that starts at point `p`.
 int edge_from(const std::vector<int>& cell, int p) { return int(std::find(cell.begin(), cell.end(), p) - cell.begin()); }
+
+// Exact bonds: Gauss's points. Springs: at the ends, as the paper has them; where the jump may be quadratic also in the
+// middle, by Simpson's rule.
+void place_points(Joint& joint, bool second_order) {
+  static constexpr GaussPoint ends[] = {{0, 0.5}, {1, 0.5}}, simpson[] = {{0, 1.0 / 6}, {0.5, 4.0 / 6}, {1, 1.0 / 6}};
+  const std::span<const GaussPoint> springs = second_order ? std::span<const GaussPoint>(simpson) : std::span<const GaussPoint>(ends);
+  const auto points = joint.kind == BondKind::exact ? gauss_points(second_order ? 3 : 2) : springs;
+  joint.points.resize(points.size());
+  for (size_t k = 0; k < points.size(); ++k) {
+    joint.points[k].at = points[k].at;
+    joint.points[k].weight = joint.length * points[k].share;
+  }
+}
 
 void add_joint(Model& model, int first, const Tessellation& t, const Tessellation::Interface& face, int property,
                bool bonded, const std::vector<int>& node) {
@@ -152,11 +180,7 @@ void add_joint(Model& model, int first, const Tessellation& t, const Tessellatio
   const Vec2 centroid_a = model.shapes[a].reference_centroid, centroid_b = model.shapes[b].reference_centroid;
   joint.in_a = {p - centroid_a, q - centroid_a};
   joint.in_b = {p - centroid_b, q - centroid_b};
-  const bool gauss = joint.kind == BondKind::exact;  // the jump is linear along the edge: 2 points are exact
-  const double reach = gauss ? std::sqrt(3.0) / 6 : 0.5;
-  joint.points[0].at = 0.5 - reach;
-  joint.points[1].at = 0.5 + reach;
-  for (JointPoint& point : joint.points) point.weight = joint.length / 2;
+  place_points(joint, model.shapes[a].second_order() || model.shapes[b].second_order());
   model.joints.push_back(joint);
 }
 

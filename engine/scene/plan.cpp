@@ -63,8 +63,11 @@ Plan make_plan(const Model& model) {
   const auto line = [&plan](bool present, const std::string& part, const std::string& text) {
     if (present) plan.lines.push_back({part, text});
   };
-  line(true, "blocks", count_text(model.shapes.size(), "block") + ": " + std::to_string(count_order(6)) + " first order, " +
-                           std::to_string(count_order(3)) + " rigid, " + std::to_string(count_order(0)) + " held; " +
+  const auto second = count_order(second_order_dofs);
+  line(true, "blocks", count_text(model.shapes.size(), "block") + ": " +
+                           (second > 0 ? std::to_string(second) + " second order, " : "") +
+                           std::to_string(count_order(first_order_dofs)) + " first order, " +
+                           std::to_string(count_order(rigid_dofs)) + " rigid, " + std::to_string(count_order(0)) + " held; " +
                            count_text(size_t(model.dofs), "unknown"));
   line(true, "mode", plan.dynamic ? (scene.numerics.integrator == Integrator::theta ? "dynamic, velocity theta-scheme"
                                                                                    : "dynamic, Newmark (1/2, 1)")

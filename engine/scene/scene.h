@@ -16,7 +16,7 @@
 namespace talus {
 
 enum class Plane { stress, strain };
-enum class BlockOrder { rigid = 0, first = 1 };  // 3 and 6 unknowns
+enum class BlockOrder { rigid = 0, first = 1, second = 2 };  // 3, 6 and 12 unknowns
 enum class BondKind { exact, spring };           // Nitsche; springs at the edge's ends (the paper)
 enum class StiffnessKind { per_length, per_contact };
 
@@ -113,6 +113,7 @@ struct Region {
   int material = -1;
   int joint = -1;  // property of its bonds and of contacts among its own blocks; -1: Scene::contact
   BlockOrder order = BlockOrder::first;
+  std::function<BlockOrder(Vec2)> order_at;  // optional, of each block by its centroid
   bool held = false;  // wholly fixed: no unknowns; moves only by a prescribed motion
   Mesh mesh;
   std::vector<Trace> traces;

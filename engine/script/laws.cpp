@@ -87,7 +87,11 @@ LawResult pop_number(lua_State* L) {
   return result;
 }
 
-LawResult call_law(const LuaFunction& law, std::span<const char* const> names, std::span<const double> arguments) {
+namespace {
+
+// `pop` takes what the function returned from the stack's top.
+template <class Pop>
+LawResult call(const LuaFunction& law, std::span<const char* const> names, std::span<const double> arguments, Pop pop) {
   lua_State* L = law.state();
   LawResult result;
   try {
@@ -95,7 +99,7 @@ LawResult call_law(const LuaFunction& law, std::span<const char* const> names, s
     law.push();
     for (const double argument : arguments) lua_pushnumber(L, argument);
     protected_call(L, static_cast<int>(arguments.size()), 1);
-    result = pop_number(L);
+    result = pop(L);
     if (result.problem.empty()) return result;
     result.problem = ": " + result.problem;
   } catch (const ScriptError& error) {
@@ -104,6 +108,12 @@ LawResult call_law(const LuaFunction& law, std::span<const char* const> names, s
   }
   result.problem = arguments_text(names, arguments) + result.problem;
   return result;
+}
+
+}  // namespace
+
+LawResult call_law(const LuaFunction& law, std::span<const char* const> names, std::span<const double> arguments) {
+  return call(law, names, arguments, pop_number);
 }
 
 std::function<double(double)> history_law(const LuaFunction& law, const Place& place, const std::string& label) {
@@ -138,6 +148,28 @@ std::function<double(Vec2)> size_law(const LuaFunction& law, const Place& place,
     if (result.value > 0) return result.value;
     throw InputError(place, label + " " + arguments_text(names, arguments), "a number > 0 (m)",
                      number_text(result.value));
+  };
+}
+
+std::function<int(Vec2)> choice_law(const LuaFunction& law, const Place& place, const std::string& label,
+                                    const std::vector<std::string>& choices) {
+  return [law, place, label, choices](Vec2 point) {
+    constexpr const char* names[] = {"x", "y"};
+    const double arguments[] = {point.x(), point.y()};
+    const LawResult result = call(law, names, arguments, [&choices](lua_State* L) {
+      const std::string given = describe(L, -1);
+      lua_pop(L, 1);
+      LawResult chosen;
+      const auto found = std::find(choices.begin(), choices.end(), given);
+      chosen.value = double(found - choices.begin());
+      if (found != choices.end()) return chosen;
+      std::string words = choices[0];
+      for (size_t k = 1; k < choices.size(); ++k) words += (k + 1 < choices.size() ? ", " : " or ") + choices[k];
+      chosen.problem = "expected " + words + ", got " + given;
+      return chosen;
+    });
+    if (result.problem.empty()) return int(result.value);
+    throw ScriptError(ErrorKind::input, place.text() + ": " + label + " " + result.problem);
   };
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "geometry/vec2.h"
 #include "scene/error.h"
@@ -45,6 +46,10 @@ std::function<double(double, double)> damping_law(const LuaFunction& law, const 
 
 // Mesh size fields: f(x, y) > 0. Throws InputError.
 std::function<double(Vec2)> size_law(const LuaFunction& law, const Place& place, const std::string& label);
+
+// f(x, y), one of a few values as messages show them (1, "rigid"): the place of the value in that list. Throws InputError.
+std::function<int(Vec2)> choice_law(const LuaFunction& law, const Place& place, const std::string& label,
+                                    const std::vector<std::string>& choices);
 
 // Reads a finite number from the stack's top and pops it; for calls whose arguments are no plain numbers.
 LawResult pop_number(lua_State* L);

@@ -162,7 +162,14 @@ Region read_region(const TableReader& t) {
   });
   t.read_index("material", r.material);
   t.read_index("joint", r.joint);
-  read_enum(t, "order", {{"rigid", BlockOrder::rigid}, {"first", BlockOrder::first}}, r.order);
+  read_enum(t, "order", {{"rigid", BlockOrder::rigid}, {"first", BlockOrder::first}, {"second", BlockOrder::second}}, r.order);
+  if (t.push("order_law")) {
+    const auto choice = choice_law(LuaFunction(t.state(), -1), r.place, "region.order", {"1", "2", "\"rigid\""});
+    r.order_at = [choice](Vec2 p) {
+      return std::array{BlockOrder::first, BlockOrder::second, BlockOrder::rigid}[size_t(choice(p))];
+    };
+    lua_pop(t.state(), 1);
+  }
   t.read("held", r.held);
   t.with("mesh", [&](const TableReader& m) { r.mesh = read_mesh(m, r.holes); });
   t.each("traces", [&](const TableReader& e) { r.traces.push_back(read_trace(e)); });

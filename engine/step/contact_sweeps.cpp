@@ -14,15 +14,16 @@ constexpr int least_run = 5;
 // Blocks. The larger the patches the fewer the sweeps; a patch costs the cube of its unknowns.
 constexpr size_t most_in_patch = 6;
 
-DofColumn padded(const Row& row, int size) {
-  DofColumn column = DofColumn::Zero();
-  for (int k = 0; k < size; ++k) column[k] = row[k];
+template <int n>
+ColumnOf<n> padded(const Row& row, int size) {
+  ColumnOf<n> column = ColumnOf<n>::Zero();
+  for (int k = 0; k < size; ++k) column[k] = row[size_t(k)];
   return column;
 }
 
 // The law of one contact: gap = gap0 + nn n - ns t, slide = slide0 + ns n - ss t, stiffness included in nn and ss, so
 // pressed and sticking mean gap = 0 and slide = 0. Cohesion holds at n = 0 too (ContactTerms::linearise).
-ContactSweeps::Forces coulomb(double gap0, double slide0, double nn, double ns, double ss, double friction, double cohesion) {
+Sweeping::Forces coulomb(double gap0, double slide0, double nn, double ns, double ss, double friction, double cohesion) {
   const double det = nn * ss - ns * ns;  // > 0: a contact's own compliance is in both
   const double n = (-gap0 * ss + slide0 * ns) / det, t = (nn * slide0 - ns * gap0) / det;
   if (n > 0 && std::abs(t) <= friction * n + cohesion) return {n, t};
@@ -45,7 +46,8 @@ ContactSweeps::Forces coulomb(double gap0, double slide0, double nn, double ns, 
 
 }  // namespace
 
-void ContactSweeps::start(const ContactProblem& problem, bool swept) {
+template <int size>
+void SweepsOf<size>::start(const ContactProblem& problem) {
   problem_ = &problem;
   const System& system = problem.system;
   factor_ = problem.contacts.factor();
@@ -53,7 +55,6 @@ void ContactSweeps::start(const ContactProblem& problem, bool swept) {
   with_.clear();
   blocks_.clear();
   patches_.clear();
-  if (!swept) return;
   std::vector<int> place(problem.blocks.size(), -1);
   for (size_t b = 0; b < place.size(); ++b)
     if (problem.dofs[b] > 0) {
@@ -61,16 +62,17 @@ void ContactSweeps::start(const ContactProblem& problem, bool swept) {
       blocks_.push_back(int(b));
     }
   const size_t count = blocks_.size();
-  force_.assign(count + 1, DofColumn::Zero());
-  motion_.assign(count + 1, DofColumn::Zero());
-  bond_.assign(count, DofColumn::Zero());
+  force_.assign(count + 1, Column::Zero());
+  motion_.assign(count + 1, Column::Zero());
+  bond_.assign(count, Column::Zero());
   for (size_t l = 0; l < count; ++l)
     force_[l].head(problem.dofs[blocks_[l]]) =
         system.force.segment(problem.dof_begin[blocks_[l]], problem.dofs[blocks_[l]]);
   ties_.assign(count, {});
-  DofMatrix coupling = DofMatrix::Zero();
+  Matrix coupling = Matrix::Zero();
   for (const auto& [column, row] : system.matrix.pairs()) {
     if (row == column || place[row] < 0 || place[column] < 0) continue;
+    coupling.setZero();
     system.matrix.part(row, column, coupling);
     if (coupling.isZero(0)) continue;  // they only touch
     ties_[place[row]].push_back({place[column], coupling});
@@ -83,7 +85,8 @@ void ContactSweeps::start(const ContactProblem& problem, bool swept) {
 }
 
 // Blocks that hang together, a few at a time, breadth first.
-void ContactSweeps::find_patches() {
+template <int size>
+void SweepsOf<size>::find_patches() {
   const int count = int(blocks_.size());
   patch_of_.assign(size_t(count) + 1, -1);
   rank_.assign(size_t(count) + 1, 0);
@@ -99,46 +102,47 @@ void ContactSweeps::find_patches() {
         patch_of_[tie.other] = own;
         patch.blocks.push_back(tie.other);
       }
-    const Eigen::Index size = Eigen::Index(patch.blocks.size());
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(size * max_dofs, size * max_dofs);
-    for (Eigen::Index k = 0; k < size; ++k) rank_[patch.blocks[k]] = int(k);
-    DofMatrix diagonal;
-    for (Eigen::Index k = 0; k < size; ++k) {
+    const Eigen::Index members = Eigen::Index(patch.blocks.size());
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(members * size, members * size);
+    for (Eigen::Index k = 0; k < members; ++k) rank_[patch.blocks[k]] = int(k);
+    Matrix diagonal;
+    for (Eigen::Index k = 0; k < members; ++k) {
       diagonal.setIdentity();
       const int block = patch.blocks[k];
       problem_->system.matrix.diagonal(blocks_[block], diagonal);
-      matrix.block<max_dofs, max_dofs>(k * max_dofs, k * max_dofs) = diagonal;
+      matrix.template block<size, size>(k * size, k * size) = diagonal;
       auto& ties = ties_[block];
       for (const Tie& tie : ties)
         if (patch_of_[tie.other] == own)
-          matrix.block<max_dofs, max_dofs>(k * max_dofs, rank_[tie.other] * max_dofs) = tie.k;
+          matrix.template block<size, size>(k * size, rank_[tie.other] * size) = tie.k;
       std::erase_if(ties, [&](const Tie& tie) { return patch_of_[tie.other] == own; });
       patch.tied = patch.tied || !ties.empty();
     }
     patch.inverse = matrix.inverse();
-    for (Eigen::Index k = 0; k < size; ++k)
-      for (int dof = problem_->dofs[blocks_[patch.blocks[k]]]; dof < max_dofs; ++dof)
-        patch.inverse.col(k * max_dofs + dof).setZero();
+    for (Eigen::Index k = 0; k < members; ++k)
+      for (int dof = problem_->dofs[blocks_[patch.blocks[k]]]; dof < size; ++dof)
+        patch.inverse.col(k * size + dof).setZero();
   }
 }
 
-void ContactSweeps::add_link(const ContactRows& row, int contact, const std::vector<int>& place) {
+template <int size>
+void SweepsOf<size>::add_link(const ContactRows& row, int contact, const std::vector<int>& place) {
   const int held = int(blocks_.size());
   Link& link = contacts_.emplace_back();
   link.i = place[row.i] >= 0 ? place[row.i] : held;
   link.j = place[row.j] >= 0 ? place[row.j] : held;
-  link.normal_i = padded(row.normal_i, link.i < held ? row.size_i : 0);
-  link.normal_j = padded(row.normal_j, link.j < held ? row.size_j : 0);
-  link.shear_i = padded(row.shear_i, link.i < held ? row.size_i : 0);
-  link.shear_j = padded(row.shear_j, link.j < held ? row.size_j : 0);
-  for (DofColumn* moved : {&link.moved_ni, &link.moved_nj, &link.moved_si, &link.moved_sj}) moved->setZero();
+  link.normal_i = padded<size>(row.normal_i, link.i < held ? row.size_i : 0);
+  link.normal_j = padded<size>(row.normal_j, link.j < held ? row.size_j : 0);
+  link.shear_i = padded<size>(row.shear_i, link.i < held ? row.size_i : 0);
+  link.shear_j = padded<size>(row.shear_j, link.j < held ? row.size_j : 0);
+  for (Column* moved : {&link.moved_ni, &link.moved_nj, &link.moved_si, &link.moved_sj}) moved->setZero();
   link.with_begin = int(with_.size());
   for (const auto& [block, normal, shear] : {std::tuple{link.i, &link.normal_i, &link.shear_i}, {link.j, &link.normal_j, &link.shear_j}}) {
     if (block == held) continue;
     const Patch& patch = patches_[patch_of_[block]];
     for (const int moved : patch.blocks) {
-      const auto inverse = patch.inverse.block<max_dofs, max_dofs>(rank_[moved] * max_dofs, rank_[block] * max_dofs);
-      const DofColumn n = inverse * *normal, s = inverse * *shear;
+      const auto inverse = patch.inverse.template block<size, size>(rank_[moved] * size, rank_[block] * size);
+      const Column n = inverse * *normal, s = inverse * *shear;
       if (moved == link.i || moved == link.j) {
         (moved == link.i ? link.moved_ni : link.moved_nj) += n;
         (moved == link.i ? link.moved_si : link.moved_sj) += s;
@@ -164,8 +168,9 @@ void ContactSweeps::add_link(const ContactRows& row, int contact, const std::vec
   link.contact = contact;
 }
 
-void ContactSweeps::rebuild() {
-  std::vector<DofColumn> sum = force_;
+template <int size>
+void SweepsOf<size>::rebuild() {
+  std::vector<Column> sum = force_;
   for (const Link& link : contacts_) {
     sum[link.i] += link.n * link.normal_i - link.t * link.shear_i;
     sum[link.j] += link.n * link.normal_j - link.t * link.shear_j;
@@ -175,25 +180,27 @@ void ContactSweeps::rebuild() {
     for (const int b : patch.blocks) {
       motion_[b].setZero();
       for (const int other : patch.blocks)
-        motion_[b] += patch.inverse.block<max_dofs, max_dofs>(rank_[b] * max_dofs, rank_[other] * max_dofs) * sum[other];
+        motion_[b] += patch.inverse.template block<size, size>(rank_[b] * size, rank_[other] * size) * sum[other];
     }
 }
 
-void ContactSweeps::relax(const Patch& patch) {
+template <int size>
+void SweepsOf<size>::relax(const Patch& patch) {
   if (!patch.tied) return;
   for (const int b : patch.blocks) {
     if (ties_[b].empty()) continue;
-    DofColumn force = DofColumn::Zero();
+    Column force = Column::Zero();
     for (const Tie& tie : ties_[b]) force -= tie.k * motion_[tie.other];
-    const DofColumn change = force - bond_[b];
+    const Column change = force - bond_[b];
     bond_[b] = force;
     for (const int moved : patch.blocks)
-      motion_[moved] += patch.inverse.block<max_dofs, max_dofs>(rank_[moved] * max_dofs, rank_[b] * max_dofs) * change;
+      motion_[moved] += patch.inverse.template block<size, size>(rank_[moved] * size, rank_[b] * size) * change;
   }
 }
 
-void ContactSweeps::settle(Link& link) {
-  DofColumn &di = motion_[link.i], &dj = motion_[link.j];
+template <int size>
+void SweepsOf<size>::settle(Link& link) {
+  Column &di = motion_[link.i], &dj = motion_[link.j];
   const double gap = link.gap0 + factor_ * (link.normal_i.dot(di) + link.normal_j.dot(dj));
   if (link.n == 0 && gap >= 0 && link.cohesion == 0) return;
   const double slide = link.slide0 + factor_ * (link.shear_i.dot(di) + link.shear_j.dot(dj));
@@ -208,7 +215,8 @@ void ContactSweeps::settle(Link& link) {
   link.t = now.t;
 }
 
-void ContactSweeps::sweep(bool backwards) {
+template <int size>
+void SweepsOf<size>::sweep(bool backwards) {
   if (backwards) {
     for (auto patch = patches_.rbegin(); patch != patches_.rend(); ++patch) relax(*patch);
     for (auto link = contacts_.rbegin(); link != contacts_.rend(); ++link) settle(*link);
@@ -219,13 +227,15 @@ void ContactSweeps::sweep(bool backwards) {
 }
 
 // The forces of a contact, cut to what it can carry.
-void ContactSweeps::carry_on(Link& link, double n, double t) {
+template <int size>
+void SweepsOf<size>::carry_on(Link& link, double n, double t) {
   link.n = std::max(0.0, n);
   const double limit = (link.n > 0 ? link.friction * link.n : 0) + link.cohesion;
   link.t = std::clamp(t, -limit, limit);
 }
 
-void ContactSweeps::mix(const std::vector<Forces>& from, Mixing& mixing) {
+template <int size>
+void SweepsOf<size>::mix(const std::vector<Forces>& from, Mixing& mixing) {
   const Eigen::Index count = Eigen::Index(contacts_.size());
   Vector x(2 * count), change(2 * count);
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -240,7 +250,8 @@ void ContactSweeps::mix(const std::vector<Forces>& from, Mixing& mixing) {
   rebuild();
 }
 
-ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, Carry carry, std::vector<double>& normal,
+template <int size>
+Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry carry, std::vector<double>& normal,
                                            std::vector<double>& shear, Vector& d) {
   const auto& rows = problem_->contacts.rows();
   const int blocks = int(blocks_.size());
@@ -261,7 +272,7 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, C
   }
   rebuild();
   const size_t count = contacts_.size();
-  std::vector<DofColumn> bond_from, bond_last = bond_;
+  std::vector<Column> bond_from, bond_last = bond_;
   std::vector<Forces> from(count), last(count);  // before the present pair; after the one before it
   for (size_t k = 0; k < count; ++k) last[k] = {contacts_[k].n, contacts_[k].t};
   Progress progress;
@@ -284,7 +295,7 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, C
       turned -= dn * (link.n - last[k].n) + dt * (link.t - last[k].t);
     }
     for (int l = 0; l < blocks; ++l) {
-      const DofColumn db = bond_[l] - bond_from[l];
+      const Column db = bond_[l] - bond_from[l];
       change += db.squaredNorm();
       level += bond_[l].squaredNorm();
       turned -= db.dot(bond_[l] - bond_last[l]);
@@ -318,7 +329,7 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, C
       last[k] = now;
     }
     for (int l = 0; l < blocks; ++l) {
-      const DofColumn now = bond_[l];
+      const Column now = bond_[l];
       if (momentum > 0) bond_[l] += momentum * (now - bond_last[l]);
       bond_last[l] = now;
     }
@@ -334,6 +345,17 @@ ContactSweeps::Progress ContactSweeps::run(int most, double enough, int worth, C
     d.segment(problem_->dof_begin[blocks_[l]], dofs) = motion_[l].head(dofs);
   }
   return progress;
+}
+
+template class SweepsOf<first_order_dofs>;
+template class SweepsOf<second_order_dofs>;
+
+void ContactSweeps::start(const ContactProblem& problem) {
+  second_order_ = std::find(problem.dofs.begin(), problem.dofs.end(), second_order_dofs) != problem.dofs.end();
+  if (second_order_)
+    second_.start(problem);
+  else
+    first_.start(problem);
 }
 
 }  // namespace talus

@@ -10,31 +10,32 @@
 
 namespace talus {
 
-class ContactSweeps {
+class Sweeping {
  public:
   enum class Carry { momentum, mixing };
   struct Forces {  // of a contact, N
     double n, t;
   };
-
-  // Takes the loose blocks of the problem and the contacts on them, or none: they are not to be swept. O(blocks + contacts).
-  void start(const ContactProblem& problem, bool swept = true);
-  bool empty() const { return contacts_.empty(); }
-
-  // Sweeps, forwards and backwards, from the forces (N; per contact of the step), at most `most` of each, until the
-  // forces change by no more than `enough` of their norm. d: unknowns, of which those of loose blocks are set. With `worth`
-  // > 0 gives up early where they are not on the way to be done within so many pairs more.
   struct Progress {
     int pairs = 0;
     double change = 0;  // of the last pair, part of the norm of all forces
     double moved = 0;   // the same, N: comparable where forces are wound up
   };
+};
+
+// Of blocks that have at most `size` unknowns.
+template <int size>
+class SweepsOf : public Sweeping {
+ public:
+  void start(const ContactProblem& problem);
   Progress run(int most, double enough, int worth, Carry carry, std::vector<double>& normal, std::vector<double>& shear, Vector& d);
 
  private:
+  using Column = ColumnOf<size>;
+  using Matrix = MatrixOf<size>;
   struct Link {
-    DofColumn normal_i, normal_j, shear_i, shear_j;      // rows; zero for what does not move
-    DofColumn moved_ni, moved_nj, moved_si, moved_sj;    // motion of the blocks under unit force
+    Column normal_i, normal_j, shear_i, shear_j;      // rows; zero for what does not move
+    Column moved_ni, moved_nj, moved_si, moved_sj;    // motion of the blocks under unit force
     double nn, ns, ss;      // m/N: gap and slide under unit forces, without the contact's own compliance
     double gap0, slide0;    // m
     double soft_n, soft_s;  // m/N, 1 / stiffness
@@ -46,15 +47,15 @@ class ContactSweeps {
   };
   struct With {  // a block that a contact moves because it hangs together with those it is on
     int block;
-    DofColumn n, s;
+    Column n, s;
   };
   struct Tie {  // K of this block over the displacements of one of another patch
     int other;
-    DofMatrix k;
+    Matrix k;
   };
   struct Patch {  // of blocks that hang together by bonds, few enough for a matrix of their own
     std::vector<int> blocks;
-    Eigen::MatrixXd inverse;  // max_dofs a block; zero for unknowns that are none
+    Eigen::MatrixXd inverse;  // `size` a block; zero for unknowns that are none
     bool tied = false;        // to other patches
   };
   void find_patches();
@@ -72,10 +73,29 @@ class ContactSweeps {
   std::vector<Patch> patches_;
   std::vector<int> patch_of_, rank_;  // of each block, and its place there
   std::vector<std::vector<Tie>> ties_;
-  std::vector<DofColumn> force_, motion_;  // of blocks_, and a zero at the end
-  std::vector<DofColumn> bond_;  // force on a block by its ties, as its patch was last relaxed
+  std::vector<Column> force_, motion_;  // of blocks_, and a zero at the end
+  std::vector<Column> bond_;  // force on a block by its ties, as its patch was last relaxed
   const ContactProblem* problem_ = nullptr;
   double factor_ = 1;
+};
+
+class ContactSweeps : public Sweeping {
+ public:
+  // Takes the blocks of the problem and the contacts on them. O(blocks + contacts).
+  void start(const ContactProblem& problem);
+
+  // Sweeps, forwards and backwards, from the forces (N; per contact of the step), at most `most` of each, until the
+  // forces change by no more than `enough` of their norm. d: unknowns, of which those of loose blocks are set. With `worth`
+  // > 0 gives up early where they are not on the way to be done within so many pairs more.
+  Progress run(int most, double enough, int worth, Carry carry, std::vector<double>& normal, std::vector<double>& shear, Vector& d) {
+    return second_order_ ? second_.run(most, enough, worth, carry, normal, shear, d)
+                         : first_.run(most, enough, worth, carry, normal, shear, d);
+  }
+
+ private:
+  bool second_order_ = false;  // some block is
+  SweepsOf<first_order_dofs> first_;
+  SweepsOf<second_order_dofs> second_;
 };
 
 }  // namespace talus

@@ -5,6 +5,17 @@
 
 namespace talus {
 
+namespace {
+
+BendArray bend_ahead(const BlockShape& shape, const BlockState& state, double seconds) {
+  BendArray bend = state.bend;
+  if (shape.second_order())
+    for (size_t k = 0; k < bend.size(); ++k) bend[k] += seconds * state.velocity[first_order_dofs + k];
+  return bend;
+}
+
+}  // namespace
+
 double kinetic_energy(const Model& model, double ahead) {
   double sum = 0;
   for (int b = 0; b < int(model.blocks.size()); ++b) sum += kinetic_energy(model, b, ahead);
@@ -15,11 +26,15 @@ double kinetic_energy(const Model& model, int b, double ahead) {
   const BlockShape& shape = model.shapes[b];
   if (shape.dofs == 0) return 0;
   const BlockState& state = model.blocks[b];
-  const auto v = Eigen::Map<const DofColumn>(state.velocity.data());
-  const double at_reference = v.dot(mass_matrix(model, b) * v) / 2;
-  if (shape.dofs == 3) return at_reference;
+  const auto& v = state.velocity;
+  const double at_reference = with_size(shape.second_order(), [&](auto n) {
+    const auto rates = Eigen::Map<const ColumnOf<n>>(v.data());
+    return rates.dot(mass_matrix_of<n>(model, b) * rates) / 2;
+  });
+  if (shape.dofs == rigid_dofs) return at_reference;
   const Vec3 at_y = state.strain + ahead / shape.length * Vec3(v[3], v[4], v[5]);
-  const double x = moment_of_inertia(model, b, state.strain), y = moment_of_inertia(model, b, at_y);
+  const double x = moment_of_inertia(model, b, state.strain, state.bend),
+               y = moment_of_inertia(model, b, at_y, bend_ahead(shape, state, ahead));
   return at_reference + (x * x / y - moment_of_inertia(model, b, Vec3::Zero())) * v[2] * v[2] / 2;
 }
 
@@ -29,10 +44,12 @@ double strain_energy(const Model& model, const JointTerms& joints, const Support
   double sum = 0;
   for (size_t b = 0; b < model.blocks.size(); ++b) {
     const BlockShape& shape = model.shapes[b];
-    if (shape.dofs <= 3) continue;
+    if (shape.dofs <= rigid_dofs) continue;
     const auto& v = model.blocks[b].velocity;
     const Vec3 e = model.blocks[b].strain + ahead / shape.length * Vec3(v[3], v[4], v[5]);
     sum += shape.area * e.dot(shape.initial_stress + elasticity_of[shape.material] * e / 2);
+    if (shape.second_order())
+      sum += bend_energy(model, int(b), Eigen::Map<const Vec6>(bend_ahead(shape, model.blocks[b], ahead).data()));
   }
   for (const Joint& joint : model.joints) sum += bridge_energy(joint);
   return sum + (model.joints.empty() ? 0 : joints.energy(model, ahead)) + supports.energy(model, ahead);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace talus {
 
@@ -76,7 +77,7 @@ Rest IslandSolver::judge_rest(const Step& step, int island) {
   for (const int b : islands_.blocks(island)) {
     const BlockState& state = step.model.blocks[b];
     const double size = std::max(step.model.extent, state.centroid.norm());  // m, of its places
-    for (const double rate : state.velocity) {
+    for (const double rate : std::span(state.velocity).first(size_t(step.model.shapes[size_t(b)].rate_count()))) {
       if (std::abs(rate) * step.dt > rounding * size) return Rest::moves;
       if (rate != 0) rest = Rest::settles;
     }
@@ -92,15 +93,19 @@ bool IslandSolver::solve_single(const Step& step, int island, IslandResult& resu
   for (const int b : islands_.blocks(island)) {
     const BlockShape& shape = step.model.shapes[b];
     if (shape.dofs == 0) continue;
-    DofMatrix matrix = DofMatrix::Identity();
-    step.system.matrix.diagonal(b, matrix);
-    DofColumn force = DofColumn::Zero();
-    force.head(shape.dofs) = step.system.force.segment(shape.dof_begin, shape.dofs);
-    const DofColumn own = matrix.inverse() * force;
-    const double out = (force - matrix * own).norm() - step.system.force_rounding[b];
-    if (!(out <= step.settings.tolerance * step.system.force_scale[b])) return false;
-    if (out > 0) result.residual = std::max(result.residual, out / step.system.force_scale[b]);
-    d.segment(shape.dof_begin, shape.dofs) = own.head(shape.dofs);
+    const bool solved = with_size(shape.second_order(), [&](auto n) {
+      MatrixOf<n> matrix = MatrixOf<n>::Identity();
+      step.system.matrix.diagonal(b, matrix);
+      ColumnOf<n> force = ColumnOf<n>::Zero();
+      force.head(shape.dofs) = step.system.force.segment(shape.dof_begin, shape.dofs);
+      const ColumnOf<n> own = matrix.inverse() * force;
+      const double out = (force - matrix * own).norm() - step.system.force_rounding[b];
+      if (!(out <= step.settings.tolerance * step.system.force_scale[b])) return false;
+      if (out > 0) result.residual = std::max(result.residual, out / step.system.force_scale[b]);
+      d.segment(shape.dof_begin, shape.dofs) = own.head(shape.dofs);
+      return true;
+    });
+    if (!solved) return false;
   }
   ++result.islands.single;
   return true;

@@ -11,13 +11,16 @@ namespace talus {
 
 namespace {
 
-DofColumn velocity_of(const Model& model, int block) {
-  return Eigen::Map<const DofColumn>(model.blocks[block].velocity.data());
+template <int n>
+ColumnOf<n> velocity_of(const Model& model, int block) {
+  return Eigen::Map<const ColumnOf<n>>(model.blocks[block].velocity.data());
 }
 
-DofColumn solution_of(const Model& model, int block, const Vector& d) {
-  DofColumn own = DofColumn::Zero();
-  for (int k = 0; k < model.shapes[block].dofs; ++k) own[k] = d[model.shapes[block].dof_begin + k];
+template <int n>
+ColumnOf<n> solution_of(const Model& model, int block, const Vector& d) {
+  ColumnOf<n> own = ColumnOf<n>::Zero();
+  const BlockShape& shape = model.shapes[block];
+  for (int k = 0; k < std::min(shape.dofs, n); ++k) own[k] = d[shape.dof_begin + k];
   return own;
 }
 
@@ -32,12 +35,14 @@ void book_linear(const BookedStep& s, Ledger& ledger) {
   for (int b = 0; b < int(model.blocks.size()); ++b) {
     const BlockShape& shape = model.shapes[b];
     if (shape.dofs == 0 || model.sleeps(b)) continue;
-    const DofColumn v0 = velocity_of(model, b), d = solution_of(model, b, s.d);
-    const DofColumn own = s.scheme.step_v * v0 + s.scheme.move_d * d;
-    const DofColumn own_w = s.scheme.bond_v * v0 + (s.scheme.bond_d - s.scheme.move_d / 2) * d;
-    step.segment(shape.dof_begin, shape.dofs) = own.head(shape.dofs);
-    w.segment(shape.dof_begin, shape.dofs) = own_w.head(shape.dofs);
-    inertial += own.dot(mass_matrix(model, b) * own_w);
+    with_size(shape.second_order(), [&](auto n) {
+      const ColumnOf<n> v0 = velocity_of<n>(model, b), d = solution_of<n>(model, b, s.d);
+      const ColumnOf<n> own = s.scheme.step_v * v0 + s.scheme.move_d * d;
+      const ColumnOf<n> own_w = s.scheme.bond_v * v0 + (s.scheme.bond_d - s.scheme.move_d / 2) * d;
+      step.segment(shape.dof_begin, shape.dofs) = own.head(shape.dofs);
+      w.segment(shape.dof_begin, shape.dofs) = own_w.head(shape.dofs);
+      inertial += own.dot(mass_matrix_of<n>(model, b) * own_w);
+    });
   }
   s.system.matrix.multiply(w, kw);
   const double dashpots = s.scheme.velocity_d / 2 * viscous_form(model, s.poses, step, w);
@@ -53,7 +58,7 @@ GapRate gap_of(const Model& model, const Contact& c) {
   const Vec2 to = model.vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)];
   const Vec2 normal = -perp(to - from).normalized();
   const double gap = normal.dot(at - from);
-  return {gap, normal.dot(model.velocity_at(c.i, at) - model.velocity_at(c.j, at - gap * normal))};
+  return {gap, normal.dot(model.velocity_at(c.i, at) - model.velocity_on_edge(c.j, c.edge, at - gap * normal))};
 }
 
 double squared(double x) {
@@ -97,28 +102,36 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   const Model& model = s.model;
   const double time = model.time + s.scheme.load_time, before = ledger.ahead, after = s.scheme.bond_ahead;
   // A load that puts `force` on a block: its work along y, and what of it the way from X to y takes or gives.
-  const auto load = [&](int block, const DofColumn& force, double& work) {
-    const DofColumn v0 = velocity_of(model, block), d = solution_of(model, block, s.d);
+  const auto load = [&](int block, const auto& force, double& work) {
+    constexpr int n = std::decay_t<decltype(force)>::RowsAtCompileTime;
+    const ColumnOf<n> v0 = velocity_of<n>(model, block), d = solution_of<n>(model, block, s.d);
     const double along_x = force.dot(s.scheme.step_v * v0 + s.scheme.move_d * d);
     const double shift = force.dot(after * (v0 + s.scheme.velocity_d * d) - before * v0);
     work += along_x + shift;
     ledger.numerical_flow += shift;
   };
-  each_load(model, s.poses, time, [&](int block, const Vec2& at, const Vec2& force) {
-    if (model.shapes[block].dofs > 0) load(block, s.poses.blocks[block].rows(at).transpose() * force, ledger.external_work);
+  const auto load_at = [&](int block, const LoadPoint& point, const Vec2& force, double& work) {
+    with_size(model.shapes[block].second_order(),
+              [&](auto n) { load(block, force_on<n>(s.poses.blocks[block], point, force), work); });
+  };
+  each_load(model, s.poses, time, [&](int block, const LoadPoint& point, const Vec2& force) {
+    if (model.shapes[block].dofs > 0) load_at(block, point, force, ledger.external_work);
   });
-  each_viscous_traction(model, s.poses, [&](int block, const Vec2& at, const Vec2& force) {
-    load(block, s.poses.blocks[block].rows(at).transpose() * force, ledger.boundary_work);
+  each_viscous_traction(model, s.poses, [&](int block, const LoadPoint& point, const Vec2& force) {
+    load_at(block, point, force, ledger.boundary_work);
   });
-  each_gas_load(model, s.poses, [&](int block, const Vec2& at, const Vec2& force) {  // along X, as the law's work is
+  each_gas_load(model, s.poses, [&](int block, const LoadPoint& point, const Vec2& force) {  // along X, as the law's work is
     if (model.shapes[block].dofs == 0) return;
-    const DofColumn step = s.scheme.step_v * velocity_of(model, block) + s.scheme.move_d * solution_of(model, block, s.d);
-    ledger.gas_work += (s.poses.blocks[block].rows(at).transpose() * force).dot(step);
+    with_size(model.shapes[block].second_order(), [&](auto n) {
+      const ColumnOf<n> step = s.scheme.step_v * velocity_of<n>(model, block) + s.scheme.move_d * solution_of<n>(model, block, s.d);
+      ledger.gas_work += force_on<n>(s.poses.blocks[block], point, force).dot(step);
+    });
   });
   for (int b = 0; b < int(model.blocks.size()); ++b) {
     const BlockShape& shape = model.shapes[b];
     if (shape.dofs == 0 || model.sleeps(b)) continue;
-    const DofColumn step = s.scheme.step_v * velocity_of(model, b) + s.scheme.move_d * solution_of(model, b, s.d);
+    // Their resultant acts at the centroid: on the translation alone, of any order.
+    const DofColumn step = s.scheme.step_v * velocity_of<first_order_dofs>(model, b) + s.scheme.move_d * solution_of<first_order_dofs>(model, b, s.d);
     ledger.gravity_work += model.mass(b) * model.scene.gravity.dot(step.head<2>());
     const auto& own = model.scene.regions[shape.region].body_force;
     if (!own[0].given() && !own[1].given()) continue;
@@ -186,7 +199,7 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
       if (model.shapes[block].dofs > 0) return;
       const double* v = model.blocks[block].velocity.data();
       ledger.boundary_work -=
-          scheme.step_v * (c.normal_force * dot(normal, v, max_dofs) - c.shear_force * dot(shear, v, max_dofs));
+          scheme.step_v * (c.normal_force * dot(normal, v, rigid_dofs) - c.shear_force * dot(shear, v, rigid_dofs));
     };
     held(c.i, row.normal_i, row.shear_i);
     held(c.j, row.normal_j, row.shear_j);
@@ -220,7 +233,7 @@ std::vector<LoadStepBooking::Force> LoadStepBooking::forces(const Model& model, 
   Poses now;
   now.predict(model, Scheme::equilibrium());
   std::vector<Force> all;
-  each_load(model, now, time, [&](int, const Vec2& at, const Vec2& force) { all.push_back({force, at}); });
+  each_load(model, now, time, [&](int, const LoadPoint& point, const Vec2& force) { all.push_back({force, point.at}); });
   for (size_t b = 0; b < model.blocks.size(); ++b)
     all.push_back(
         {model.shapes[b].area * body_force(model, model.shapes[b].region, 0, time), model.blocks[b].centroid});

@@ -21,20 +21,21 @@ class Closure {
     for (const int j : joints) {
       const Joint& joint = model.joints[j];
       const BondTraction all = mean_traction(joint);
-      before_.push_back({joint.points, joint.bridged ? all : taken_over(all, joint.remaining), bonds.flux(model, j)});
+      before_.push_back({joint.points, joint.bridged ? all : taken_over(all, joint.remaining), fluxes(model, j)});
     }
   }
   double work(const Model& model) const {
     double sum = 0;
     for (size_t k = 0; k < joints_.size(); ++k) {
       const Before& before = before_[k];
-      const BondTraction flux = bonds_.flux(model, joints_[k]);
+      const std::vector<BondTraction> now_flux = fluxes(model, joints_[k]);
       for (size_t p = 0; p < before.points.size(); ++p) {
         const JointPoint &now = model.joints[joints_[k]].points[p], &then = before.points[p];
         sum += now.weight / 2 *
                ((then.normal - before.kept.normal) * (now.opening - then.opening) +
                 (then.shear - before.kept.shear) * (now.slip - then.slip) +
-                (flux.normal - before.flux.normal) * then.opening + (flux.shear - before.flux.shear) * then.slip);
+                (now_flux[p].normal - before.flux[p].normal) * then.opening +
+                (now_flux[p].shear - before.flux[p].shear) * then.slip);
       }
     }
     return sum;
@@ -42,10 +43,15 @@ class Closure {
 
  private:
   struct Before {
-    std::array<JointPoint, 2> points;
+    JointPoints points;
     BondTraction kept;  // by contacts, and by a bridge, which books its own work
-    BondTraction flux;
+    std::vector<BondTraction> flux;  // at the points
   };
+  std::vector<BondTraction> fluxes(const Model& model, int joint) const {
+    std::vector<BondTraction> flux;
+    for (const JointPoint& point : model.joints[joint].points) flux.push_back(bonds_.flux(model, joint, point.at));
+    return flux;
+  }
   const JointTerms& bonds_;
   const std::vector<int>& joints_;
   std::vector<Before> before_;

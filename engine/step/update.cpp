@@ -11,8 +11,9 @@ std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, c
     const BlockShape& shape = model.shapes[b];
     BlockState& state = moved[b];
     const auto v0 = state.velocity;
-    std::array<double, max_dofs> move{};
-    for (int k = 0; k < max_dofs; ++k) {
+    const int size = shape.rate_count();
+    std::array<double, max_dofs> move;
+    for (int k = 0; k < size; ++k) {
       const double dk = k < shape.dofs ? d[shape.dof_begin + k] : 0;
       move[k] = scheme.step_v * v0[k] + scheme.move_d * dk;
       state.velocity[k] = scheme.step_v > 0 ? v0[k] + scheme.velocity_d * dk : v0[k];
@@ -22,22 +23,36 @@ std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, c
     state.centroid = shape.reference_centroid + state.shift;
     state.angle += move[2] / shape.length;
     state.strain += Vec3(move[3], move[4], move[5]) / shape.length;
-    if (shape.dofs > 3 && scheme.step_v > 0) {
+    const BendArray bend0 = state.bend;
+    for (int k = first_order_dofs; k < size; ++k) state.bend[k - first_order_dofs] += move[k];
+    if (shape.dofs > rigid_dofs && scheme.step_v > 0) {
       // Solved with the reference moment I; the spin momentum I(e) ω is what is kept.
-      const double i = moment_of_inertia(model, int(b), Vec3::Zero()), before = moment_of_inertia(model, int(b), strain0),
-                   after = moment_of_inertia(model, int(b), state.strain);
+      const double i = moment_of_inertia(model, int(b), Vec3::Zero()),
+                   before = moment_of_inertia(model, int(b), strain0, bend0),
+                   after = moment_of_inertia(model, int(b), state.strain, state.bend);
       state.velocity[2] = (before * v0[2] + i * (state.velocity[2] - v0[2])) / after;
     }
   }
   return moved;
 }
 
+namespace {
+
+double bending(const BlockShape& shape, const BlockState& from, const BlockState& to) {
+  const Vec6 bend = Eigen::Map<const Vec6>(to.bend.data()) - Eigen::Map<const Vec6>(from.bend.data());
+  return shape.radius * shape.radius / shape.area * bend.norm();  // |(X², XY, Y²)| <= |X|²
+}
+
+}  // namespace
+
 double displacement(const Model& model, int block, const BlockState& to) {
   // A bound that is sharp for translation and for rotation about the centroid.
   const BlockState& from = model.blocks[block];
   const double turn = 2 * std::abs(std::sin((to.angle - from.angle) / 2));
   const double strain = (to.strain - from.strain).norm();
-  return (to.shift - from.shift).norm() + model.shapes[block].radius * (turn + strain);
+  const BlockShape& shape = model.shapes[block];
+  const double linear = (to.shift - from.shift).norm() + shape.radius * (turn + strain);
+  return shape.second_order() ? linear + bending(shape, from, to) : linear;
 }
 
 double largest_displacement(const Model& model, const std::vector<BlockState>& moved) {

@@ -194,13 +194,16 @@ local function flatten_stress(stress)
            gradient_x = get(stress, "gradient_x"), gradient_y = get(stress, "gradient_y") }
 end
 
+local order_names = { [1] = "first", [2] = "second", rigid = "rigid" }
+
 -- `joint_index(joint)` is the index of a property for this region; `default_joint` that of a region without one.
 function flatten.region(region, name, material_index, joint_index, default_joint)
   local flat = flatten.fields(region, { "held", "velocity", "spin", "spin_centre", "body_force", "slivers",
     "sliver_part" })
   flat.name, flat.material = name, material_index
   flat.joint = joint_index(given(region, "joint") or default_joint)
-  flat.order = get(region, "order") == "rigid" and "rigid" or "first"
+  local order = get(region, "order")
+  if type(order) == "function" then flat.order_law = order else flat.order = order_names[order] end
   flat.outlines, flat.holes = {}, {}
   for i, outline in ipairs(given(region, "blocks") or { given(region, "outline") }) do
     flat.outlines[i] = given(outline, "points")

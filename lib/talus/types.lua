@@ -72,6 +72,13 @@ types.boolean = plain_type("boolean", "true or false")
 types.string = plain_type("string", "a text")
 types["function"] = plain_type("function", "a function")
 
+function types.is_one_of(value, values)
+  for _, known in ipairs(values) do
+    if value == known then return true end
+  end
+  return false
+end
+
 -- One of a few words (or numbers): spec.values.
 types.enum = {}
 function types.enum.expected(spec)
@@ -80,9 +87,7 @@ function types.enum.expected(spec)
   return table.concat(words, ", ", 1, #words - 1) .. (#words > 1 and " or " or "") .. words[#words]
 end
 function types.enum.check(value, spec, where)
-  for _, known in ipairs(spec.values) do
-    if value == known then return value end
-  end
+  if types.is_one_of(value, spec.values) then return value end
   if type(value) == "string" then
     local words = {}
     for _, known in ipairs(spec.values) do words[#words + 1] = tostring(known) end
@@ -93,6 +98,16 @@ function types.enum.check(value, spec, where)
     end
   end
   expected(where, types.enum.expected(spec), value)
+end
+
+-- The order of blocks: one of spec.values, or a function of x and y that returns one.
+types.order = {}
+function types.order.expected(spec)
+  return types.enum.expected(spec) .. ", or a function of x and y that returns one of them"
+end
+function types.order.check(value, spec, where)
+  if type(value) == "function" or types.is_one_of(value, spec.values) then return value end
+  expected(where, types.order.expected(spec), value)
 end
 
 -- A list of exactly `count` numbers.

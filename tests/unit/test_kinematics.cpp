@@ -26,7 +26,7 @@ TEST(Kinematics, RowsAreTheDerivativeOfThePlace) {
     return pose;
   };
   const Pose pose = pose_at(0, 0);
-  const Row row = pose.row(pose.place(in_block), direction);
+  const FirstRow row = pose.row(pose.place(in_block), direction);
   const double h = 1e-6;
   for (int k = 0; k < 6; ++k) {
     const Vec2 change = pose_at(k, h).place(in_block) - pose_at(k, -h).place(in_block);

@@ -30,8 +30,9 @@ return {
         doc = "of the mesh size, or of the square root of the mean block area where there is no mesh; a block's"
             .. " thickness is 2·area/perimeter",
         source = "stiffness goes with 1/thickness: 50 times that of other blocks" },
-      { name = "order", type = "enum", values = { 1, "rigid" }, default = 1,
-        doc = "`1`: blocks deform with constant strain (6 unknowns); `\"rigid\"`: they do not (3 unknowns)" },
+      { name = "order", type = "order", values = { 1, 2, "rigid" }, default = 1,
+        doc = "`1`: blocks deform with constant strain (6 unknowns); `2`: with a strain that varies linearly (12);"
+            .. " `\"rigid\"`: not at all (3). A function of the centroid's x and y gives each block its own" },
       { name = "held", type = "boolean", default = false,
         doc = "fixed as a whole: no unknowns; moves only by a `talus.fix` with a motion" },
       { name = "velocity", type = "vector", unit = "m/s", default = { 0, 0 }, doc = "at the start" },
