@@ -116,7 +116,7 @@ void ContactTerms::add_stiffness(BlockMatrix& matrix, const std::vector<char>& c
                                  const std::vector<char>& stuck) const {
   for (size_t k = 0; k < rows_.size(); ++k) {
     const ContactRows& row = rows_[k];
-    if (!row.near) continue;  // it has no slots
+    if (!row.near) continue;  // it has no slots; it may still bear the state of a contact that has let go
     const Slots& slots = slots_[k];
     const auto add = [&](double stiffness, const Row& i, const Row& j) {
       const double factor = factor_ * stiffness;

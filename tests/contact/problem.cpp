@@ -136,7 +136,7 @@ bool Desk::factorise(const std::vector<double>& normal, const std::vector<double
     if (shear[k] != c) add(k, shear[k] - c, r.shear_i, r.shear_j);
     if (c == 0) continue;  // n sᵀ + s nᵀ = (n + s)(n + s)ᵀ - n nᵀ - s sᵀ
     Row i, j;
-    for (int q = 0; q < max_dofs; ++q) {
+    for (int q = 0; q < first_order_dofs; ++q) {  // no problem has blocks of second order
       i[q] = r.normal_i[q] + r.shear_i[q];
       j[q] = r.normal_j[q] + r.shear_j[q];
     }
