@@ -48,8 +48,14 @@ void each_gas_load(const Model& model, const Poses& poses, const LoadVisitor& vi
       visit(face.block, {(face.in_block[0] + face.in_block[1]) / 2, (from + to) / 2}, force);
       continue;
     }
-    visit(face.block, {face.in_block[0], from}, force / 2);
-    visit(face.block, {face.in_block[1], to}, force / 2);
+    // The derivative of the area beside a parabola through the ends and the middle (gas_volume): by its corner w =
+    // 4/3 middle - (from + to)/6.
+    const Vec2 middle = (face.in_block[0] + face.in_block[1]) / 2, at = pose.place(middle);
+    const Vec2 corner = 4 * at / 3 - (from + to) / 6;
+    const auto half = [&](const Vec2& span) -> Vec2 { return model.gas_pressure[face.chamber] / 2 * perp(span); };
+    visit(face.block, {face.in_block[0], from}, half(corner - from) - force / 12);
+    visit(face.block, {middle, at}, 2 * force / 3);
+    visit(face.block, {face.in_block[1], to}, half(to - corner) - force / 12);
   }
 }
 

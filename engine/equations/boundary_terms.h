@@ -27,8 +27,8 @@ ColumnOf<n> force_on(const Pose& pose, const LoadPoint& point, const Vec2& force
 // along the inward normal of the edge as it lies now.
 using LoadVisitor = std::function<void(int block, const LoadPoint& point, const Vec2& force)>;
 void each_load(const Model& model, const Poses& poses, double time, const LoadVisitor& visit);
-// Explosion gas on the faces it has reached: on those of a second-order block at their ends, as the volume is that of the
-// straight edges between them.
+// Explosion gas on the faces it has reached: the derivative of its volume, on a second-order block's face at both ends and in
+// the middle.
 void each_gas_load(const Model& model, const Poses& poses, const LoadVisitor& visit);
 
 void add_force(const Model& model, const Poses& poses, int block, const LoadPoint& point, const Vec2& force, System& system);

@@ -120,18 +120,28 @@ double gas_volume(const Model& model, const std::vector<BlockState>& blocks, dou
   const auto place = [&](int block, const Vec2& in_block) {
     return flown(model.shapes[block], blocks[block], seconds).place(in_block);
   };
+  // Along a face. That of a second-order block is a parabola: this corner in it gives the polygon the same area.
+  const auto follow = [&](int block, const Vec2& from, const Vec2& to, Polyline& outline) {
+    const Vec2 p = place(block, from), q = place(block, to);
+    outline.push_back(p);
+    if (model.shapes[block].second_order()) outline.push_back(4 * place(block, (from + to) / 2) / 3 - (p + q) / 6);
+    outline.push_back(q);
+  };
   double volume = 0;
   for (const int wall : walls) {
     Polyline hole;  // the wall has its blocks on the left, the hole on the right
-    for (const BlockEdge& edge : model.hole_walls[wall].edges)
-      for (const int corner : {edge.edge, model.next_vertex(edge.block, edge.edge)})
-        hole.push_back(place(edge.block, model.reference_vertex[model.shapes[edge.block].vertex_begin + corner]));
+    for (const BlockEdge& edge : model.hole_walls[wall].edges) {
+      const Vec2* const corners = &model.reference_vertex[model.shapes[edge.block].vertex_begin];
+      follow(edge.block, corners[edge.edge], corners[model.next_vertex(edge.block, edge.edge)], hole);
+    }
     volume -= signed_area(hole);
   }
   for (const ReachedJoint& r : reach.joints) {
     const Joint& joint = model.joints[r.joint];
-    volume += signed_area({place(joint.b, between(joint.in_b, r.from)), place(joint.b, between(joint.in_b, r.to)),
-                           place(joint.a, between(joint.in_a, r.to)), place(joint.a, between(joint.in_a, r.from))});
+    Polyline gap;
+    follow(joint.b, between(joint.in_b, r.from), between(joint.in_b, r.to), gap);
+    follow(joint.a, between(joint.in_a, r.to), between(joint.in_a, r.from), gap);
+    volume += signed_area(gap);
   }
   for (const int node : reach.nodes) {
     Polyline gap;
