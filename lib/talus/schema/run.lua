@@ -105,8 +105,8 @@ return {
         doc = "islands that have come to rest, to rounding, cost nothing until something comes near them or a change reaches"
             .. " them: places and forces are those without it, to the bit; `sim.contacts` has theirs first" },
       { name = "solver", type = "enum", values = { "auto", "factor", "sweeps" }, default = "auto",
-        doc = "of contacts in motion, for study: Newton's steps with a factor, or sweeps over contact forces, alone. Bonded"
-            .. " blocks and equilibrium are always solved with a factor" },
+        doc = "of contacts in motion, for study: Newton's steps with a factor, or sweeps over contact forces, alone."
+            .. " Equilibrium is always solved with a factor" },
       { name = "recovery", type = "boolean", default = true,
         doc = "smoothed stress for output and probes, beside the raw one" },
     },
