@@ -15,7 +15,8 @@ struct Jwl {
 };
 GasLaw jwl(const Jwl& constants, double filled);
 
-// ∫ P dv; by Gauss's rule with 5 points on parts over which v at most doubles, where the law has no closed form.
-double work(const GasLaw& law, double from, double to);
+// ∫ P dv; by Gauss's rule with 5 points on parts over which v at most doubles, where the law has no closed form. A law that
+// depends on time and chamber is taken as it is at one moment.
+double work(const GasLaw& law, double from, double to, const GasMoment& moment = {});
 
 }  // namespace talus

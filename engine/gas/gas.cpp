@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "gas/eos.h"
+#include "gas/orifice.h"
 
 namespace talus {
 
@@ -19,15 +20,19 @@ constexpr double little = 1e-9;  // part of the volume: less is swept at the pre
 }  // namespace
 
 void visit_state(Chamber& chamber, StateVisitor& v) {
-  auto& [walls, charges, state, volume, pressure, began, vented_at, front, gain, yield, joined, work] = chamber;
+  auto& [walls, charges, state, volume, pressure, began, vented_at, front, gain, yield, joined, work, opening] = chamber;
   v.growing("walls", walls);
   v.growing("charges", charges);
   v("state", state);
-  for (double* number : {&volume, &pressure, &began, &vented_at, &front, &gain, &yield, &joined, &work})
+  for (double* number : {&volume, &pressure, &began, &vented_at, &front, &gain, &yield, &joined, &work, &opening})
     v("chamber", *number);
 }
 
-Gas::Gas(Model& model) : model_(model), paths_(model), first_volume_(model.scene.charges.size(), 0.0) {
+Gas::Gas(Model& model)
+    : model_(model),
+      paths_(model),
+      first_volume_(model.scene.charges.size(), 0.0),
+      left_(model.scene.charges.size(), 1.0) {
   for (size_t w = 0; w < model.hole_walls.size(); ++w) {
     Chamber chamber;
     chamber.walls = {int(w)};
@@ -64,7 +69,7 @@ void Gas::detonate() {
     Reach hole;
     hole.nodes = paths_.wall_nodes(int(wall));
     first_volume_[charge] = gas_volume(model_, model_.blocks, 0, paths_, {int(wall)}, hole);
-    if (chamber.state == Chamber::State::vented) continue;  // blown out already
+    if (chamber.state == Chamber::State::vented && vent_part(chamber, model_.time) == 0) continue;  // blown out already
     chamber.charges.push_back(charge);
     if (chamber.state == Chamber::State::waiting) {
       chamber.state = Chamber::State::pressing;
@@ -72,26 +77,36 @@ void Gas::detonate() {
       chamber.volume = first_volume_[charge];
       reach_[c] = hole;
     }
-    chamber.pressure = law_pressure(chamber, chamber.volume);
+    chamber.pressure = law_pressure(chamber, chamber.volume, model_.time);
     events_.push_back({GasEventKind::detonation, c, -1, model_.time, chamber.volume, chamber.pressure});
   }
 }
 
+GasMoment Gas::moment(const Chamber& chamber, double since) const {
+  return {since, chamber.volume, first_volume_[chamber.charges[0]], chamber.pressure, chamber.front};
+}
+
+// What is left of a charge's gas has the pressure of all of it in as much more room: its isentrope goes by volume per mass.
+double Gas::law_pressure(const Chamber& chamber, double volume, double time) const {
+  if (chamber.charges.size() > 1) return mixture_pressure(chamber, volume, time);
+  const int charge = chamber.charges[0];
+  const Charge& own = model_.scene.charges[charge];
+  return own.law.pressure(volume / (first_volume_[charge] * left_[charge]), moment(chamber, time - own.delay));
+}
+
 // Gas of several charges has one pressure, at which their own volumes fill the chamber: found by halving its logarithm.
-double Gas::law_pressure(const Chamber& chamber, double volume) const {
-  const auto& charges = model_.scene.charges;
-  const auto own = [&](int charge, double v) { return charges[charge].law.pressure(v); };
-  if (chamber.charges.size() == 1)
-    return own(chamber.charges[0], volume / first_volume_[chamber.charges[0]]);
+double Gas::mixture_pressure(const Chamber& chamber, double volume, double time) const {
   const auto filled = [&](double pressure) {
     double sum = 0;
     for (const int charge : chamber.charges) {
+      const Charge& own = model_.scene.charges[charge];
+      const GasMoment now = moment(chamber, time - own.delay);
       double low = -7, high = 60;  // log2 of v
       for (int k = 0; k < 60; ++k) {
         const double middle = (low + high) / 2;
-        (own(charge, std::exp2(middle)) > pressure ? low : high) = middle;
+        (own.law.pressure(std::exp2(middle), now) > pressure ? low : high) = middle;
       }
-      sum += first_volume_[charge] * std::exp2(low);
+      sum += first_volume_[charge] * left_[charge] * std::exp2(low);
     }
     return sum;
   };
@@ -103,24 +118,29 @@ double Gas::law_pressure(const Chamber& chamber, double volume) const {
   return std::exp2(low);
 }
 
-double Gas::law_work(const Chamber& chamber, double from, double to) const {
+double Gas::law_work(const Chamber& chamber, double from, double to, double time) const {
   const int charge = chamber.charges[0];
-  const double first = first_volume_[charge];
-  if (chamber.charges.size() == 1) return first * talus::work(model_.scene.charges[charge].law, from / first, to / first);
-  return talus::work({[&](double volume) { return law_pressure(chamber, volume); }, {}}, from, to);
+  if (chamber.charges.size() > 1)
+    return talus::work({[&](double volume, const GasMoment&) { return law_pressure(chamber, volume, time); }, {}}, from, to);
+  const double first = first_volume_[charge] * left_[charge];
+  const Charge& own = model_.scene.charges[charge];
+  return first * talus::work(own.law, from / first, to / first, moment(chamber, time - own.delay));
 }
 
+// Part of its law's pressure that a chamber keeps; gas that has left through an orifice is missing in the law itself.
 double Gas::vent_part(const Chamber& chamber, double time) const {
   if (chamber.state != Chamber::State::vented) return 1;
-  const auto& venting = model_.scene.charges[chamber.charges[0]].venting;
-  return venting ? venting(time - chamber.vented_at) : 0;
+  const Charge& first = model_.scene.charges[chamber.charges[0]];
+  if (first.orifice)
+    return std::any_of(chamber.charges.begin(), chamber.charges.end(), [&](int charge) { return left_[charge] > 0; });
+  return first.venting ? first.venting(moment(chamber, time - chamber.vented_at)) : 0;
 }
 
 double Gas::mean_pressure(const Chamber& chamber, double volume) const {
-  const double swept = volume - chamber.volume, part = vent_part(chamber, model_.time + dt_ / 2);
+  const double middle = model_.time + dt_ / 2, swept = volume - chamber.volume, part = vent_part(chamber, middle);
   if (part == 0) return 0;
-  if (std::abs(swept) < little * chamber.volume) return part * law_pressure(chamber, (volume + chamber.volume) / 2);
-  return part * law_work(chamber, chamber.volume, volume) / swept;
+  if (std::abs(swept) < little * chamber.volume) return part * law_pressure(chamber, (volume + chamber.volume) / 2, middle);
+  return part * law_work(chamber, chamber.volume, volume, middle) / swept;
 }
 
 void Gas::begin_step(double dt) {
@@ -175,16 +195,20 @@ void Gas::end_step(double dt) {
   for (size_t c = 0; c < chambers_.size(); ++c) {
     Chamber& chamber = chambers_[c];
     const Guess& guess = guess_[c];
-    if (guess.pressure == 0 || chamber.state == Chamber::State::merged) continue;
+    if (chamber.state == Chamber::State::merged) continue;
+    if (guess.pressure == 0) {
+      chamber.pressure = 0;
+      continue;
+    }
     chamber.work += guess.pressure * guess.swept;
     chamber.joined += guess.volume - chamber.volume - guess.swept;
     chamber.volume = guess.volume;
     chamber.gain = guess.slope / (dt * dt);
     chamber.yield = (guess.offset - guess.free) / (dt * dt);
-    const double since = model_.time - chamber.began;
     const auto& speed = model_.scene.charges[chamber.charges[0]].gas_speed;
-    chamber.front += dt * speed(since);
+    chamber.front += dt * speed(moment(chamber, model_.time - chamber.began));
     spread(int(c));
+    leak(int(c), dt);
   }
   merge();
   vent();
@@ -201,68 +225,10 @@ void Gas::find_reach(int c) {
   });
 }
 
-void Gas::spread(int c) {
-  Chamber& chamber = chambers_[c];
-  if (chamber.state != Chamber::State::pressing) return;
-  find_reach(c);
-  const double volume = gas_volume(model_, model_.blocks, 0, paths_, chamber.walls, reach_[c]);
-  chamber.joined += volume - chamber.volume;
-  chamber.volume = volume;
-  chamber.pressure = law_pressure(chamber, volume);
-}
-
-// Whether the gas of two chambers has met in a joint, each coming from its own end.
-bool Gas::meet(int a, int b) const {
-  for (const ReachedJoint& mine : reach_[a].joints)
-    for (const ReachedJoint& other : reach_[b].joints)
-      if (mine.joint == other.joint && std::max(mine.from, other.from) <= std::min(mine.to, other.to)) return true;
-  return false;
-}
-
-void Gas::merge() {
-  for (int c = 0; c < int(chambers_.size()); ++c) {
-    if (chambers_[c].state != Chamber::State::pressing) continue;
-    std::vector<int> met;
-    for (const int wall : reach_[c].walls) met.push_back(chamber_of(wall));
-    for (int other = 0; other < int(chambers_.size()); ++other)
-      if (other != c && chambers_[other].state == Chamber::State::pressing && meet(c, other)) met.push_back(other);
-    for (const int other : met)
-      if (other != c && chambers_[other].state != Chamber::State::merged) take_over(c, other);
-  }
-}
-
-void Gas::take_over(int c, int other) {
-  Chamber &own = chambers_[c], &met = chambers_[other];
-  if (met.state == Chamber::State::vented) {
-    reach_[c].surface = true;
-    return;
-  }
-  events_.push_back({GasEventKind::merging, c, other, model_.time, met.volume, met.pressure});
-  own.walls.insert(own.walls.end(), met.walls.begin(), met.walls.end());
-  own.charges.insert(own.charges.end(), met.charges.begin(), met.charges.end());
-  own.joined += met.joined;
-  own.work += met.work;
-  own.front = std::max(own.front, met.front);
-  if (met.state == Chamber::State::pressing) own.volume += met.volume;
-  met.state = Chamber::State::merged;
-  met.pressure = 0;
-  spread(c);
-}
-
-void Gas::vent() {
-  for (size_t c = 0; c < chambers_.size(); ++c) {
-    Chamber& chamber = chambers_[c];
-    if (chamber.state != Chamber::State::pressing || !reach_[c].surface) continue;
-    chamber.state = Chamber::State::vented;
-    chamber.vented_at = model_.time;
-    events_.push_back({GasEventKind::venting, int(c), -1, model_.time, chamber.volume, chamber.pressure});
-    chamber.pressure *= vent_part(chamber, model_.time);
-  }
-}
-
 void Gas::visit_state(StateVisitor& visitor) {
   visitor("chambers", chambers_);
   visitor("first_volume", first_volume_);
+  visitor("left", left_);
 }
 
 // What the gas has reached follows from the cracks, but for those it came through and that have closed behind it.

@@ -27,6 +27,7 @@ struct Chamber {
   double yield = 0;      // m3/s2, how much less it gave than the blocks' free flight at no pressure
   double joined = 0;     // m3, filled without work so far
   double work = 0;       // J/m, of the law along the volume swept
+  double opening = 0;    // m, of what it vents through, now
 };
 void visit_state(Chamber& chamber, StateVisitor& visitor);
 
@@ -57,14 +58,17 @@ class Gas {
   const Reach& reach(int chamber) const { return reach_[chamber]; }
   const std::vector<GasEvent>& events() const { return events_; }  // of the last step
   double first_volume(int charge) const { return first_volume_[charge]; }
+  double left(int charge) const { return left_[charge]; }
   int chamber_of(int wall) const;  // that holds the gas of this hole now
   void visit_state(StateVisitor& visitor);
   void restored();
 
  private:
-  double law_pressure(const Chamber& chamber, double volume) const;
+  GasMoment moment(const Chamber& chamber, double since) const;
+  double law_pressure(const Chamber& chamber, double volume, double time) const;
+  double mixture_pressure(const Chamber& chamber, double volume, double time) const;
   double mean_pressure(const Chamber& chamber, double volume) const;  // over the way from the present volume
-  double law_work(const Chamber& chamber, double from, double to) const;
+  double law_work(const Chamber& chamber, double from, double to, double time) const;
   void find_reach(int chamber);
   void spread(int chamber);
   bool meet(int a, int b) const;
@@ -72,11 +76,13 @@ class Gas {
   void take_over(int chamber, int other);
   void vent();
   double vent_part(const Chamber& chamber, double time) const;
+  void leak(int chamber, double dt);
 
   Model& model_;
   GasPaths paths_;
   std::vector<Chamber> chambers_;
   std::vector<double> first_volume_;  // m3, of each charge's hole when it went off
+  std::vector<double> left_;          // part of each charge's gas that has not left through an orifice
   std::vector<Reach> reach_;
   struct Guess {
     double free = 0;            // m3, where the blocks fly by themselves

@@ -169,10 +169,27 @@ struct ViscousBoundary {
   On on;  // line only
 };
 
+// What the laws of explosion gas may ask of a chamber, as it was after the step before.
+struct GasMoment {
+  double t = 0;  // s, since the charge went off; for venting since the gas reached a free surface
+  double volume = 0, first_volume = 0;  // m3 per metre; of the hole when the charge went off
+  double pressure = 0;                  // Pa
+  double front = 0;                     // m, from the hole's centre
+};
+
 // Pressure of explosion gas by its volume over the volume it had at first, v >= 1, and the energy it gives.
 struct GasLaw {
-  std::function<double(double v)> pressure;             // Pa, falling
-  std::function<double(double from, double to)> work;   // J per m3 of the first volume, ∫ P dv; empty: by quadrature
+  std::function<double(double v, const GasMoment&)> pressure;  // Pa, falling with v
+  std::function<double(double from, double to)> work;          // J per m3 of the first volume, ∫ P dv; empty: by quadrature
+};
+
+// Gas leaves a chamber through what is open at the free surfaces it has reached (gas/orifice.h).
+struct Orifice {
+  double coefficient = 1;  // of discharge
+  double gamma = 1.4;      // of the gas as it leaves
+  double density = 0;      // kg/m3, of the gas in the hole when the charge goes off
+  double atmosphere = 0;   // Pa, at which it ends
+  std::optional<double> opening;  // m (m2 per metre); none: the apertures of the joints that end there
 };
 
 // An explosive in a hole of a region.
@@ -180,11 +197,13 @@ struct Charge {
   Place place;
   std::string name;
   int region = -1, hole = -1;  // index into Region::holes
-  double delay = 0;            // s
+  double delay = 0;            // s, scatter included
+  double mass = 0;             // kg per metre; 0: the gas is given, not the explosive
   GasLaw law;
-  std::function<double(double t)> gas_speed;  // m/s into cracks, t seconds after it went off
-  // Part of the pressure left, t seconds after the gas has reached a free surface; empty: none, at once.
-  std::function<double(double t)> venting;
+  std::function<double(const GasMoment&)> gas_speed;  // m/s into cracks
+  // Part of the pressure left after the gas has reached a free surface. Neither: none, at once.
+  std::function<double(const GasMoment&)> venting;
+  std::optional<Orifice> orifice;
 };
 
 struct Probe {

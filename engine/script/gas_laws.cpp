@@ -1,21 +1,32 @@
 #include "script/gas_laws.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <numbers>
+#include <vector>
+
 #include "gas/eos.h"
+#include "geometry/random.h"
 #include "script/laws.h"
 #include "script/lua_error.h"
 
 namespace talus {
 namespace {
 
-// A function of one number whose result lies in [0, most]; its faults end the run.
-std::function<double(double)> number_law(const LuaFunction& law, const Place& place, const std::string& label,
-                                         const char* argument, double most, const char* expected) {
-  return [=](double x) {
+// A function whose result lies in [0, most]; its faults end the run. It gets the first numbers, which messages show, and those
+// of the chamber, of which lib/talus/gas.lua makes the table that the script sees.
+std::function<double(std::initializer_list<double>, const GasMoment&)> number_law(const LuaFunction& law, const Place& place,
+                                                                                  const std::string& label, const char* argument,
+                                                                                  double most, const char* expected) {
+  return [=](std::initializer_list<double> numbers, const GasMoment& m) {
     const char* const names[] = {argument};
-    const double arguments[] = {x};
+    std::vector<double> arguments(numbers);
+    arguments.insert(arguments.end(), {m.volume, m.first_volume, m.pressure, m.front});
     LawResult result = call_law(law, names, arguments);
     if (result.problem.empty() && !(result.value >= 0 && result.value <= most))
-      result.problem = std::string("at ") + argument + " = " + std::to_string(x) + ": expected " + expected + ", got " +
+      result.problem = std::string("at ") + argument + " = " + std::to_string(arguments[0]) + ": expected " + expected + ", got " +
                        std::to_string(result.value);
     if (!result.problem.empty()) throw LawError(place.text() + ": " + label + ": " + result.problem);
     return result.value;
@@ -39,6 +50,23 @@ GasLaw ready_made(const TableReader& t) {
   return jwl(c, filled);
 }
 
+// Normal with the deviation `scatter` about `delay`, by Box and Muller; what would come before the start comes at it.
+double scattered(double delay, double scatter, std::uint64_t seed, std::uint64_t charge) {
+  Random random(Random(seed).next() + charge);
+  const double radius = std::sqrt(-2 * std::log(1 - random.unit()));
+  return std::max(0.0, delay + scatter * radius * std::cos(2 * std::numbers::pi * random.unit()));
+}
+
+Orifice read_orifice(const TableReader& t) {
+  Orifice o;
+  t.read("coefficient", o.coefficient);
+  t.read("gamma", o.gamma);
+  t.read("density", o.density);
+  t.read("atmosphere", o.atmosphere);
+  t.read("opening", o.opening);
+  return o;
+}
+
 }  // namespace
 
 Charge read_charge(const TableReader& t) {
@@ -47,25 +75,36 @@ Charge read_charge(const TableReader& t) {
   t.read("name", c.name);
   t.read_index("region", c.region);
   t.read_index("hole", c.hole);
+  t.read("mass", c.mass);
   t.read("delay", c.delay);
+  t.with("scatter", [&](const TableReader& s) {
+    double deviation = 0;
+    long seed = 0, charge = 0;
+    s.read("deviation", deviation);
+    s.read("seed", seed);
+    s.read("charge", charge);
+    c.delay = scattered(c.delay, deviation, std::uint64_t(seed), std::uint64_t(charge));
+  });
   lua_State* L = t.state();
   constexpr double no_bound = 1e300;
   const auto law = [&](const char* key, const char* label, const char* argument, double most, const char* expected) {
-    std::function<double(double)> found;
+    std::function<double(std::initializer_list<double>, const GasMoment&)> found;
     if (!t.push(key)) return found;
     found = number_law(LuaFunction(L, -1), c.place, label, argument, most, expected);
     lua_pop(L, 1);
     return found;
   };
-  c.law.pressure = law("eos", "charge.eos", "v", no_bound, "a pressure >= 0 (Pa)");
+  if (const auto eos = law("eos", "charge.eos", "v", no_bound, "a pressure >= 0 (Pa)"))
+    c.law.pressure = [eos](double v, const GasMoment& m) { return eos({v, m.t}, m); };
   t.with("law", [&](const TableReader& l) { c.law = ready_made(l); });
-  c.gas_speed = law("speed_law", "charge.gas_speed", "t", no_bound, "a speed >= 0 (m/s)");
-  if (!c.gas_speed) {
-    double speed = 0;
-    t.read("speed", speed);
-    c.gas_speed = [speed](double) { return speed; };
-  }
-  c.venting = law("venting", "charge.venting", "t", 1, "a part from 0 to 1");
+  double constant = 0;
+  t.read("speed", constant);
+  c.gas_speed = [constant](const GasMoment&) { return constant; };
+  if (const auto speed = law("speed_law", "charge.gas_speed", "t", no_bound, "a speed >= 0 (m/s)"))
+    c.gas_speed = [speed](const GasMoment& m) { return speed({m.t}, m); };
+  if (const auto part = law("venting", "charge.venting", "t", 1, "a part from 0 to 1"))
+    c.venting = [part](const GasMoment& m) { return part({m.t}, m); };
+  t.with("orifice", [&](const TableReader& o) { c.orifice = read_orifice(o); });
   return c;
 }
 

@@ -59,12 +59,17 @@ void push_charges(lua_State* L, const Simulation& simulation) {
     const Chamber& chamber = gas->chambers()[holder];
     const HoleWall& wall = simulation.model.hole_walls[k];
     const int charge = wall.charge;
-    lua_createtable(L, 0, 16);
+    const Charge& own = simulation.model.scene.charges[charge];
+    lua_createtable(L, 0, 20);
+    set_number(L, "delay", own.delay);
+    if (own.mass > 0) set_number(L, "mass", own.mass);
+    set_number(L, "left", gas->left(charge));
+    set_number(L, "opening", chamber.opening);
     set_number(L, "x", wall.centre.x() + simulation.model.origin.x());
     set_number(L, "y", wall.centre.y() + simulation.model.origin.y());
     set_number(L, "radius", wall.radius);
     push_reached(L, simulation.model, gas->reach(holder));
-    set_text(L, "name", simulation.model.scene.charges[charge].name);
+    set_text(L, "name", own.name);
     set_text(L, "state", states[int(chamber.state)]);
     lua_pushboolean(L, chamber.state == Chamber::State::vented);
     lua_setfield(L, -2, "vented");
@@ -76,7 +81,7 @@ void push_charges(lua_State* L, const Simulation& simulation) {
     set_number(L, "work", chamber.work);
     set_number(L, "joined", chamber.joined);
     lua_pushvalue(L, -1);
-    lua_setfield(L, -3, simulation.model.scene.charges[charge].name.c_str());
+    lua_setfield(L, -3, own.name.c_str());
     lua_rawseti(L, -2, lua_Integer(k + 1));
   }
 }

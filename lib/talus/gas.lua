@@ -1,6 +1,7 @@
--- Charges: constants of explosives, trials of laws, and the flat form for the engine.
+-- Charges: trials of laws, the chamber that laws see, and the flat form for the engine.
 local native = require "talus.native"
 local object = require "talus.object"
+local explosives = require "talus.explosives"
 local places = require "talus.places"
 local trial = require "talus.trial"
 local finite = trial.finite
@@ -8,29 +9,64 @@ local get, given = object.get, object.given
 
 local gas = {}
 
--- Dobratz & Crawford, LLNL Explosives Handbook (1985); emulsion: Hansson, SveBeFo (2009), rounded. Units: kg/m3, Pa, J/m3.
-gas.explosives = {
-  TNT = { density = 1630, A = 371.2e9, B = 3.231e9, R1 = 4.15, R2 = 0.95, omega = 0.30, E = 7.0e9 },
-  ANFO = { density = 931, A = 49.46e9, B = 1.891e9, R1 = 3.907, R2 = 1.118, omega = 0.333, E = 2.484e9 },
-  emulsion = { density = 1245, A = 214.4e9, B = 0.182e9, R1 = 4.2, R2 = 0.9, omega = 0.15, E = 4.19e9 },
-}
+-- The chamber as laws see it, to be read only, and the function that sets its numbers before a call.
+local function view_of(name)
+  local numbers = { name = name }
+  local view = setmetatable({}, {
+    __name = "chamber", __metatable = false,
+    __index = function(_, key)
+      if numbers[key] ~= nil then return numbers[key] end
+      local known = { "name", "volume", "first_volume", "pressure", "front" }
+      error(("chamber.%s: there is no such thing%s"):format(key, native.suggestion(tostring(key), known)), 2)
+    end,
+    __newindex = function() error("a chamber can only be read", 2) end,
+  })
+  local function set(volume, first_volume, pressure, front)
+    numbers.volume, numbers.first_volume, numbers.pressure, numbers.front = volume, first_volume, pressure, front
+  end
+  return view, set
+end
 
-local function try(law, argument, given_text, bad, field, check)
-  local answer, again = trial.twice(law, field, given_text, bad, argument)
+-- Laws as the engine calls them: with the numbers of the chamber, from which the script's gets the table.
+local function eos_with_chamber(law, name)
+  local view, set = view_of(name)
+  return function(v, t, ...)
+    set(...)
+    return law(v, t, view)
+  end
+end
+
+local function law_with_chamber(law, name)
+  local view, set = view_of(name)
+  return function(t, ...)
+    set(...)
+    return law(t, view)
+  end
+end
+
+local function try(law, given_text, field, bad, check, ...)
+  local answer, again = trial.twice(law, field, given_text, bad, ...)
   local problem = check(answer)
   if problem then bad(field, problem .. " " .. given_text, native.describe(answer)) end
   if again ~= answer then bad(field, "the same answer to the same question " .. given_text, "another the second time") end
   return answer
 end
 
-function gas.check(values, bad)
-  if type(values.eos) == "function" then
+-- A chamber of 1 m3 at first, under 1 MPa, for the trials.
+local function tried(name, volume)
+  local view, set = view_of(name)
+  set(volume, 1, 1e6, 0)
+  return view
+end
+
+local function try_eos(law, name, bad)
+  for _, t in ipairs { 0, 1e-3 } do
     local last = math.huge
     for _, v in ipairs { 1, 1.5, 2, 5, 20, 100 } do
-      local text = ("at v = %g"):format(v)
-      local pressure = try(values.eos, v, text, bad, "eos", function(p)
+      local text = ("at v = %g"):format(v) .. (t > 0 and (", t = %g"):format(t) or "")
+      local pressure = try(law, text, "eos", bad, function(p)
         return not (finite(p) and p > 0) and "a pressure > 0 (Pa)" or nil
-      end)
+      end, v, t, tried(name, v))
       if pressure > last*(1 + 1e-9) then
         bad("eos", ("a pressure that falls as the gas expands: at most %.6g (Pa) %s"):format(last, text),
           ("%.6g"):format(pressure))
@@ -38,46 +74,52 @@ function gas.check(values, bad)
       last = pressure
     end
   end
+end
+
+local function try_in_time(law, name, field, bad, check)
+  for _, t in ipairs { 0, 1e-3, 1 } do try(law, ("at t = %g"):format(t), field, bad, check, t, tried(name, 1)) end
+end
+
+-- What the gas weighs, and the γ it leaves with, if the orifice does not say.
+local function check_orifice(values, bad)
+  local orifice, eos = values.venting, values.eos
+  if not given(orifice, "density") and not values.explosive then
+    bad("venting", "an orifice with a density (kg/m3) of the gas, as the charge is not given by an explosive", "one without")
+  end
+  if not given(orifice, "gamma") and object.kind(eos) == "polytropic" and get(eos, "gamma") <= 1 then
+    bad("venting", "an orifice with gamma > 1, as that of the gas is not", ("%g"):format(get(eos, "gamma")))
+  end
+end
+
+function gas.check(values, bad)
+  if (values.eos == nil) == (values.explosive == nil) then
+    bad(nil, "eos or explosive", values.eos == nil and "neither" or "both")
+  end
+  for _, name in ipairs { "density", "diameter" } do
+    if values[name] and not values.explosive then bad(name, "an explosive to go with it", "an eos") end
+  end
+  local name = values.name or "charge"
+  if type(values.eos) == "function" then try_eos(values.eos, name, bad) end
   if type(values.gas_speed) == "function" then
-    for _, t in ipairs { 0, 1e-3, 1 } do
-      try(values.gas_speed, t, ("at t = %g"):format(t), bad, "gas_speed", function(speed)
-        return not (finite(speed) and speed >= 0) and "a speed >= 0 (m/s)" or nil
-      end)
-    end
+    try_in_time(values.gas_speed, name, "gas_speed", bad, function(speed)
+      return not (finite(speed) and speed >= 0) and "a speed >= 0 (m/s)" or nil
+    end)
   end
-  if values.venting then
-    for _, t in ipairs { 0, 1e-3, 1 } do
-      try(values.venting, t, ("at t = %g"):format(t), bad, "venting", function(part)
-        return not (finite(part) and part >= 0 and part <= 1) and "a part from 0 to 1" or nil
-      end)
-    end
+  if object.kind(values.venting) == "orifice" then
+    check_orifice(values, bad)
+  elseif values.venting then
+    try_in_time(values.venting, name, "venting", bad, function(part)
+      return not (finite(part) and part >= 0 and part <= 1) and "a part from 0 to 1" or nil
+    end)
   end
 end
 
-function gas.check_jwl(values, bad)
-  for _, name in ipairs { "A", "B", "R1", "R2", "omega", "E" } do
-    if values.explosive and values[name] then bad(name, "an explosive or its constants", "both") end
-    if not values.explosive and not values[name] then bad(name, "a number > 0, as no explosive is named", "nothing") end
-  end
-  if values.explosive then return end
-  -- C of the isentrope, which is what is left of the pressure in the end.
-  local least = values.A/values.R1*math.exp(-values.R1) + values.B/values.R2*math.exp(-values.R2)
-  if values.E <= least then
-    bad("E", ("more than A/R1 e^-R1 + B/R2 e^-R2 = %.6g (J/m3), or the pressure becomes negative"):format(least), ("%g"):format(values.E))
-  end
-end
-
-local function flatten_law(law)
+local function flatten_eos(law)
   if type(law) == "function" then return nil end
   if object.kind(law) == "polytropic" then
     return { kind = "polytropic", pressure = get(law, "pressure"), gamma = get(law, "gamma") }
   end
-  local flat = { kind = "jwl", filled = get(law, "filled") }
-  local known = gas.explosives[given(law, "explosive")]
-  for _, name in ipairs { "A", "B", "R1", "R2", "omega", "E" } do
-    flat[name] = known and known[name] or given(law, name)
-  end
-  return flat
+  return explosives.jwl(law)
 end
 
 -- Region and hole by number.
@@ -94,7 +136,7 @@ local function find_hole(charge, regions, links)
           places.fail(object.place(charge), ("charge.region: expected the region of hole %q, of which there are two, got"
             .. " nothing"):format(wanted))
         end
-        found = { region = r, hole = h }
+        found = { region = r, hole = h, outline = given(hole, "points") }
       end
     end
   end
@@ -103,6 +145,27 @@ local function find_hole(charge, regions, links)
       :format(wanted, native.suggestion(wanted, names), wanted))
   end
   return found
+end
+
+local function flatten_orifice(orifice, law, density)
+  if object.kind(orifice) ~= "orifice" then return nil end
+  return { coefficient = get(orifice, "coefficient"), atmosphere = get(orifice, "atmosphere"), opening = given(orifice, "opening"),
+           density = given(orifice, "density") or density,
+           gamma = given(orifice, "gamma") or law and (law.gamma or 1 + law.omega) or 1.4 }
+end
+
+local function flatten_charge(charge, i, at)
+  local name, eos, speed, venting = given(charge, "name") or ("charge %d"):format(i), given(charge, "eos"), get(charge, "gas_speed"),
+    given(charge, "venting")
+  local law, mass, density
+  if eos then law = flatten_eos(eos) else law, mass, density = explosives.charge(charge, at.outline) end
+  local function of_script(value, wrap) return type(value) == "function" and wrap(value, name) or nil end
+  return { place = object.place(charge), name = name, region = at.region, hole = at.hole, delay = get(charge, "delay"),
+           scatter = given(charge, "delay_scatter")
+             and { deviation = given(charge, "delay_scatter"), seed = get(charge, "seed"), charge = i },
+           mass = mass, law = law, eos = of_script(eos, eos_with_chamber),
+           speed = type(speed) == "number" and speed or nil, speed_law = of_script(speed, law_with_chamber),
+           venting = of_script(venting, law_with_chamber), orifice = flatten_orifice(venting, law, density) }
 end
 
 function gas.flatten(charges, regions, links)
@@ -115,12 +178,7 @@ function gas.flatten(charges, regions, links)
         given(charge, "hole")))
     end
     taken[key] = true
-    local eos, speed = given(charge, "eos"), get(charge, "gas_speed")
-    list[i] = { place = object.place(charge), name = given(charge, "name") or ("charge %d"):format(i),
-                region = at.region, hole = at.hole, delay = get(charge, "delay"),
-                eos = type(eos) == "function" and eos or nil, law = flatten_law(eos),
-                speed = type(speed) == "number" and speed or nil, speed_law = type(speed) == "function" and speed or nil,
-                venting = given(charge, "venting") }
+    list[i] = flatten_charge(charge, i, at)
   end
   return list
 end

@@ -36,6 +36,7 @@ for _, kind in ipairs { "softening", "slip_weakening", "barton_bandis", "weibull
 end
 
 local damping = { velocity = function(fields) return object.new("velocity_damping", fields) end }
+local venting = { orifice = function(fields) return object.new("orifice", fields) end }
 local eos = {}
 for _, kind in ipairs { "polytropic", "jwl" } do
   eos[kind] = function(fields) return object.new(kind, fields) end
@@ -55,7 +56,8 @@ talus.units = closed("talus.units", require("talus.units").units)
 talus.laws = closed("talus.laws", laws)
 talus.damping = closed("talus.damping", damping)
 talus.eos = closed("talus.eos", eos)
-talus.explosives = closed("talus.explosives", require("talus.gas").explosives)
+talus.venting = closed("talus.venting", venting)
+talus.explosives = closed("talus.explosives", require("talus.explosives").known)
 talus.blast = closed("talus.blast", require "talus.blast")
 talus.lab = closed("talus.lab", { compression = require("talus.lab").compression, brazilian = require("talus.lab").brazilian })
 talus.calibrate = require "talus.calibrate"

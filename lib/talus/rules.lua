@@ -89,7 +89,9 @@ local function check_gap(values, bad)
 end
 function rules.charge(values, bad) require("talus.gas").check(values, bad) end
 
-function rules.jwl(values, bad) require("talus.gas").check_jwl(values, bad) end
+function rules.jwl(values, bad) require("talus.explosives").check_jwl(values, bad) end
+
+function rules.explosive(values, bad) require("talus.explosives").check(values, bad) end
 
 function rules.joint_set(values, bad)
   local broken = values.gap or values.persistence and values.persistence < 1

@@ -1,4 +1,5 @@
--- Explosion gas: a hole under pressure (Lamé), the law's work against the wall's, the front along a joint, venting, merging.
+-- Explosion gas: a hole under pressure (Lamé), the law's work against the wall's, the front along a joint, venting, merging, charges by
+-- explosive, density and diameter, laws of time and chamber, scattered delays.
 local talus = require "talus"
 local u = talus.units
 
@@ -100,4 +101,132 @@ do
   for _ = 1, 12 do other:step() end
   talus.check.truth("another run: the same state", other:hash() == hash)
   talus.check.above("bonds that failed meanwhile", one.totals.failures, 5)
+end
+
+-- Rock that does not move: a plate that is held, cut through its hole.
+local function held(charge, more)
+  more = more or {}
+  return talus.simulation {
+    regions = { talus.region { name = "plate", outline = talus.rect(0, 0, 2, 1), material = rock, held = true,
+      holes = { talus.circle { at = {1, 0.5}, radius = 0.05, sides = 48, name = "hole" } },
+      cuts = { talus.trace { points = {{1, -1}, {1, 2}} } } } },
+    charges = { talus.charge(charge) }, time = { t_end = more.t_end or 1e-4, dt = more.dt or 2e-5 } }
+end
+
+-- By explosive, density and diameter: JWL over w = V (density of the constants)/mass, mass = density · π/4 d².
+do
+  local anfo, diameter, density = talus.explosives.ANFO, 0.08, 850
+  local mass, area = density*math.pi/4*diameter^2, 48/2*0.05^2*math.sin(2*math.pi/48)
+  local sim = held { hole = "hole", explosive = "ANFO", density = density, diameter = diameter, gas_speed = 0 }
+  sim:run()
+  local w, A, B, R1, R2, omega = area*anfo.density/mass, anfo.A, anfo.B, anfo.R1, anfo.R2, anfo.omega
+  local tail = omega*(anfo.E - A/R1*math.exp(-R1) - B/R2*math.exp(-R2))
+  talus.check.near("mass of the charge, kg/m", sim.charges[1].mass, mass, { rel = 1e-12 })
+  talus.check.near("pressure of decoupled ANFO", sim.charges[1].pressure,
+    A*math.exp(-R1*w) + B*math.exp(-R2*w) + tail*w^-(1 + omega), { rel = 1e-9 })
+  local full = held { hole = "hole", explosive = talus.explosives.ANFO, gas_speed = 0 }
+  talus.check.near("mass of ANFO that fills the hole, kg/m", full.charges[1].mass, anfo.density*area, { rel = 1e-12 })
+end
+
+-- Out of a fixed volume, choked and isentropic: x^(-(γ-1)/2) = 1 + (γ-1)/2 C A a0/V (2/(γ+1))^((γ+1)/(2(γ-1))) t, P = P0 x^γ.
+do
+  local P0, gamma, density, opening, C, delay, t_end = 20*u.MPa, 1.3, 150, 0.004, 0.84, 1e-4, 0.03
+  local sim = held({ hole = "hole", gas_speed = 1e6, delay = delay, eos = talus.eos.polytropic { pressure = P0, gamma = gamma },
+    venting = talus.venting.orifice { coefficient = C, opening = opening, density = density } }, { t_end = t_end, dt = 1e-3 })
+  sim:run()
+  local charge = sim.charges[1]
+  local rate = C*opening/charge.volume*math.sqrt(gamma*P0/density)*(2/(gamma + 1))^((gamma + 1)/(2*(gamma - 1)))
+  local t = t_end - charge.vented_at
+  talus.check.near("blow-down of a fixed volume: pressure", charge.pressure,
+    P0*(1 + (gamma - 1)/2*rate*t)^(-2*gamma/(gamma - 1)), { rel = 1e-6 })
+  talus.check.above("blow-down: still choked, over the critical pressure", charge.pressure/101325, ((gamma + 1)/2)^(gamma/(gamma - 1)))
+  local emptied = held({ hole = "hole", gas_speed = 1e6, eos = talus.eos.polytropic { pressure = P0, gamma = gamma },
+    venting = talus.venting.orifice { opening = opening, density = density } }, { t_end = 1, dt = 1e-2 })
+  local last
+  for _ in emptied:steps() do last = emptied.charges[1].pressure > 0 and emptied.charges[1].pressure or last end
+  talus.check.between("blow-down: last pressure before the atmosphere's, MPa", last/u.MPa, 0.101325, 0.2)
+  talus.check.near("blow-down: no pressure after it", emptied.charges[1].pressure, 0, { abs = 0 })
+end
+
+-- Two heavy halves that fly apart at ±c: the joint between them opens by 2ct at both of its ends. Against the flow integrated finely.
+do
+  local heavy = talus.material { density = 1e10, young = E, poisson = nu }
+  local P0, gamma, density, c, t_end = 5*u.MPa, 1.4, 60, 2, 4e-3
+  local sim = talus.simulation {
+    regions = { talus.region { name = "halves", outline = talus.rect(0, 0, 2, 1), material = heavy,
+      holes = { talus.circle { at = {1, 0.5}, radius = 0.05, name = "hole" } }, cuts = { talus.trace { points = {{1, -1}, {1, 2}} } } } },
+    charges = { talus.charge { hole = "hole", eos = talus.eos.polytropic { pressure = P0, gamma = gamma }, gas_speed = 1e6,
+                               venting = talus.venting.orifice { density = density, coefficient = 0.7 } } },
+    time = { t_end = t_end, dt = 1e-5 },
+  }
+  for _, block in ipairs(sim.blocks) do block.velocity = { block.centroid[1] < 1 and -c or c, 0 } end
+  sim:step()
+  local charge = sim.charges[1]
+  local first, began, V0, x = charge.left, charge.vented_at, charge.first_volume, nil
+  sim:run()
+  charge = sim.charges[1]
+  talus.check.near("halves apart: opening at both ends, m", charge.opening, 4*c*t_end, { rel = 1e-5 })
+  talus.check.near("halves apart: volume, m2", charge.volume, V0 + 2*c*t_end, { rel = 1e-5 })
+  local function rate(t, part)
+    local V = V0 + 2*c*t
+    local P, rho = P0*(part*V0/V)^gamma, part*density*V0/V
+    return 0.7*4*c*t*math.sqrt(gamma*P*rho)*(2/(gamma + 1))^((gamma + 1)/(2*(gamma - 1)))/(density*V0)
+  end
+  local n = 20000
+  x = first
+  for k = 0, n - 1 do
+    local h = (t_end - began)/n
+    local t = began + h*k
+    x = x - h*rate(t + h/2, x - h/2*rate(t, x))
+  end
+  talus.check.between("halves apart: a part has left", x, 0.1, 0.9)
+  talus.check.near("halves apart: part of the gas left", charge.left, x, { rel = 2e-3 })
+  talus.check.near("halves apart: pressure by its law", charge.pressure, P0*(charge.left*V0/charge.volume)^gamma, { rel = 1e-10 })
+end
+
+-- Laws of time and chamber. A pressure P0 e^(-t/τ) in the hole between two halves gives each the impulse chord·∫P dt; a front that goes
+-- at k (L + its way) has come as far as L ((1 + k Δt)^n - 1).
+do
+  local P0, tau, t_end, k, L, dt = 1*u.MPa, 1e-3, 3e-3, 400, 0.05, 1e-5
+  local sim = talus.simulation {
+    regions = { talus.region { name = "halves", outline = talus.rect(0, 0, 2, 1), material = rock,
+      holes = { talus.circle { at = {1, 0.5}, radius = 0.05, sides = 16, name = "hole" } },
+      cuts = { talus.trace { points = {{1, -1}, {1, 2}} } } } },
+    charges = { talus.charge { hole = "hole", gas_speed = 0, eos = function(_, t) return P0*math.exp(-t/tau) end } },
+    time = { t_end = t_end, dt = dt } }
+  sim:run()
+  local area = 16/2*0.05^2*math.sin(2*math.pi/16)
+  local impulse = 0.1*P0*tau*(1 - math.exp(-t_end/tau))
+  local speed = math.abs(sim.blocks:field("velocity")[1][1])
+  talus.check.near("pressure that falls with time: momentum, N s/m", speed*2600*(1 - area/2), impulse, { rel = 1e-4 })
+  talus.check.near("pressure that falls with time: its value", sim.charges[1].pressure, P0*math.exp(-t_end/tau), { rel = 1e-9 })
+  talus.check.near("pressure that falls with time: the law's work is the wall's", sim.energy.gas, sim.charges[1].work, { rel = 1e-3 })
+  local front = held({ hole = "hole", eos = talus.eos.polytropic { pressure = P0 },
+    gas_speed = function(_, chamber) return k*(L + chamber.front) end }, { t_end = 300*dt, dt = dt })
+  front:run()
+  talus.check.near("a front by the chamber's own state, m", front.charges[1].front, L*((1 + k*dt)^300 - 1), { rel = 1e-9 })
+end
+
+-- Scattered delays: normal about the delay, each charge's own, the same seed the same.
+do
+  local mean, deviation, n = 0.05, 0.004, 10
+  local holes, charges = {}, {}
+  for i = 1, n^2 do
+    holes[i] = talus.circle { at = {(i - 1)%n + 0.5, (i - 1)//n + 0.5}, radius = 0.1, sides = 6, name = "hole " .. i }
+    charges[i] = talus.charge { hole = "hole " .. i, explosive = "TNT", delay = mean, delay_scatter = deviation, seed = 4 }
+  end
+  local function make()
+    return talus.simulation { charges = charges, time = { t_end = 1 }, regions = { talus.region { name = "plate",
+      outline = talus.rect(0, 0, n, n), material = rock, held = true, holes = holes, mesh = { size = 1 } } } }
+  end
+  local sim, again = make(), make()
+  local sum, squares, same = 0, 0, true
+  for i = 1, n^2 do
+    local off = sim.charges[i].delay - mean
+    sum, squares = sum + off, squares + off^2
+    same = same and off == again.charges[i].delay - mean
+  end
+  talus.check.near("scattered delays: mean, within 3 deviations of it", sum/n^2, 0, { abs = 3*deviation/n })
+  talus.check.near("scattered delays: deviation, within 3 of its own", math.sqrt(squares)/n, deviation, { abs = 3*deviation/(n*math.sqrt(2)) })
+  talus.check.truth("scattered delays: the same seed", same)
 end

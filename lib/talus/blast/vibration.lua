@@ -4,9 +4,9 @@ local places = require "talus.places"
 local native = require "talus.native"
 local fit = require "talus.fit"
 local choice = require "talus.blast.choice"
-local get, given = object.get, object.given
+local given = object.given
 
--- Where the distance is counted from.
+-- Where the distance is counted from, and the mass of the charge there, if it is known.
 local function origin(sim, options)
   local at, charges = given(options, "at"), sim.charges
   if type(at) == "table" then return at end
@@ -20,7 +20,7 @@ local function origin(sim, options)
     for _, one in ipairs(charges) do names[#names + 1] = one.name end
     places.fail(object.place(options), ("vibration.at: there is no charge %q%s"):format(at, native.suggestion(at, names)))
   end
-  return { charge.x, charge.y }
+  return { charge.x, charge.y }, charge.mass
 end
 
 local function wanted_probes(sim, options)
@@ -49,7 +49,8 @@ end
 
 return function(sim, fields)
   local options = choice.options("vibration", sim, fields)
-  local from, root = origin(sim, options), math.sqrt(get(options, "mass"))
+  local from, mass = origin(sim, options)
+  local root = math.sqrt(given(options, "mass") or mass or 1)
   local found = { points = {} }
   for _, probe in ipairs(wanted_probes(sim, options)) do
     local distance = math.sqrt((probe.x - probe.ux - from[1])^2 + (probe.y - probe.uy - from[2])^2)

@@ -91,7 +91,9 @@ return {
     fields = {
       { name = "at", type = "any", of = { { type = "string" }, { type = "point", unit = "m" } }, default_doc = "the first charge",
         doc = "where R is counted from: a charge's name or a point" },
-      { name = "mass", type = "number", above = 0, unit = "kg", default = 1, doc = "W, charge per delay (and metre): 1 leaves R as it is" },
+      { name = "mass", type = "number", above = 0, unit = "kg",
+        default_doc = "that of the charge R is counted from, where it is given by an explosive; else 1, which leaves R as it is",
+        doc = "W, charge per delay (and metre)" },
       { name = "probes", type = "list", of = { type = "string" }, default_doc = "all", doc = "which" },
       file("the table (.csv) and picture (.svg)"),
     },

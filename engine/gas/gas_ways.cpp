@@ -1,0 +1,103 @@
+// Gas goes on into cracks, meets that of other chambers, and leaves.
+#include <algorithm>
+
+#include "gas/gas.h"
+#include "gas/orifice.h"
+
+namespace talus {
+
+namespace {
+
+bool pressing(const Chamber& chamber) { return chamber.state != Chamber::State::merged && chamber.pressure > 0; }
+
+}  // namespace
+
+void Gas::spread(int c) {
+  Chamber& chamber = chambers_[c];
+  const double part = vent_part(chamber, model_.time);
+  if (part == 0) {
+    chamber.pressure = 0;
+    return;
+  }
+  find_reach(c);
+  const double volume = gas_volume(model_, model_.blocks, 0, paths_, chamber.walls, reach_[c]);
+  chamber.joined += volume - chamber.volume;
+  chamber.volume = volume;
+  chamber.pressure = part * law_pressure(chamber, volume, model_.time);
+}
+
+// Whether the gas of two chambers has met in a joint, each coming from its own end.
+bool Gas::meet(int a, int b) const {
+  for (const ReachedJoint& mine : reach_[a].joints)
+    for (const ReachedJoint& other : reach_[b].joints)
+      if (mine.joint == other.joint && std::max(mine.from, other.from) <= std::min(mine.to, other.to)) return true;
+  return false;
+}
+
+void Gas::merge() {
+  for (int c = 0; c < int(chambers_.size()); ++c) {
+    if (!pressing(chambers_[c])) continue;
+    std::vector<int> met;
+    for (const int wall : reach_[c].walls) met.push_back(chamber_of(wall));
+    for (int other = 0; other < int(chambers_.size()); ++other)
+      if (other != c && pressing(chambers_[other]) && meet(c, other)) met.push_back(other);
+    for (const int other : met)
+      if (other != c && chambers_[other].state != Chamber::State::merged) take_over(c, other);
+  }
+}
+
+void Gas::take_over(int c, int other) {
+  Chamber &own = chambers_[c], &met = chambers_[other];
+  const bool vents = met.state == Chamber::State::vented;
+  if (vents && !model_.scene.charges[own.charges[0]].orifice) {
+    reach_[c].surface = true;
+    return;
+  }
+  events_.push_back({GasEventKind::merging, c, other, model_.time, met.volume, met.pressure});
+  own.walls.insert(own.walls.end(), met.walls.begin(), met.walls.end());
+  own.charges.insert(own.charges.end(), met.charges.begin(), met.charges.end());
+  own.joined += met.joined;
+  own.work += met.work;
+  own.front = std::max(own.front, met.front);
+  if (pressing(met)) own.volume += met.volume;
+  if (vents) {
+    own.vented_at = own.state == Chamber::State::vented ? std::min(own.vented_at, met.vented_at) : met.vented_at;
+    own.state = Chamber::State::vented;
+  }
+  met.state = Chamber::State::merged;
+  met.pressure = 0;
+  spread(c);
+}
+
+void Gas::vent() {
+  for (size_t c = 0; c < chambers_.size(); ++c) {
+    Chamber& chamber = chambers_[c];
+    if (chamber.state != Chamber::State::pressing || !reach_[c].surface) continue;
+    chamber.state = Chamber::State::vented;
+    chamber.vented_at = model_.time;
+    events_.push_back({GasEventKind::venting, int(c), -1, model_.time, chamber.volume, chamber.pressure});
+    chamber.pressure *= vent_part(chamber, model_.time);
+    if (const auto& orifice = model_.scene.charges[chamber.charges[0]].orifice)
+      chamber.opening = opening(*orifice, model_, reach_[c]);
+  }
+}
+
+// Through an orifice, over the step that ends now: at the volume it leads to, and the mean of the openings at its ends.
+void Gas::leak(int c, double dt) {
+  Chamber& chamber = chambers_[c];
+  const auto& charges = model_.scene.charges;
+  const auto& orifice = charges[chamber.charges[0]].orifice;
+  if (chamber.state != Chamber::State::vented || !orifice || chamber.pressure == 0) return;
+  double mass = 0;
+  for (const int charge : chamber.charges)
+    mass += left_[charge] * first_volume_[charge] * (charges[charge].orifice ? charges[charge].orifice : orifice)->density;
+  const double before = chamber.opening;
+  chamber.opening = opening(*orifice, model_, reach_[c]);
+  const double part = blow_down(
+      *orifice, (before + chamber.opening) / 2, mass, chamber.volume,
+      [&](double x) { return law_pressure(chamber, chamber.volume / x, model_.time); }, dt);
+  for (const int charge : chamber.charges) left_[charge] *= part;
+  chamber.pressure = part == 0 ? 0 : law_pressure(chamber, chamber.volume, model_.time);
+}
+
+}  // namespace talus
