@@ -8,10 +8,6 @@
 
 namespace talus {
 
-namespace {
-constexpr double sweep_effort = 0.01;  // of a factor: a sweep over some contacts a block
-}
-
 struct IslandSolver::Step {
   const Model& model;
   const System& system;
@@ -135,7 +131,7 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
   result.solves += own.iterations;
   result.sweeps += own.sweeps;
   result.factorisations += problem.solver.factorisations - before;
-  result.effort += (own.iterations + sweep_effort * own.sweeps) * double(problem.blocks.size()) / double(step.model.shapes.size());
+  result.total_effort += own.effort() * double(problem.blocks.size()) / double(step.model.shapes.size());
   ++(own.iterations == 0 ? result.islands.by_sweeps : result.islands.with_factor);
   result.iterations = std::max(result.iterations, own.iterations);
   if (!own.converged || !(own.residual <= result.residual)) {

@@ -13,7 +13,7 @@ namespace talus {
 struct IslandResult : OpenCloseResult {  // iterations, residual: of the worst island; sweeps: of all
   long solves = 0;                       // iterations of all
   long factorisations = 0;
-  double effort = 0;                     // in factors of the whole scene
+  double total_effort = 0;               // in factors of the whole scene
   IslandCounts islands;
 };
 

@@ -59,7 +59,8 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
   take_states(problem);
   double reached = result.sweep_change;
   int in_vain = 0;
-  while (!result.converged && !missed_ && result.iterations < settings.max_iterations && in_vain < patience) {
+  while (!result.converged && !missed_ && result.iterations < settings.max_iterations && in_vain < patience &&
+         result.effort() < settings.most_effort) {
     const std::vector<double> normal = normal_, shear = shear_;
     if (!factor(problem, result)) return;
     ++result.iterations;

@@ -6,17 +6,21 @@
 // accepted only when the residual of the coupled law, friction at the present normal force, is below its tolerance
 // in every block: not when the states have stopped flipping.
 #include <algorithm>
+#include <limits>
 
 #include "step/contact_problem.h"
 #include "step/contact_sweeps.h"
 
 namespace talus {
 
+constexpr double sweep_effort = 0.01;  // of a factor: a sweep over some contacts a block
+
 struct OpenCloseResult {
   bool converged = false;
   bool missed = false;  // a contact presses that was not solved for
   int iterations = 0;   // solves with a factor
   int sweeps = 0;
+  double effort() const { return iterations + sweep_effort * sweeps; }  // factors
   double sweep_change = 0;  // N, of the forces in the last pair
   double residual = 0;      // largest over blocks, of force scale
   int worst_block = -1;
@@ -29,6 +33,8 @@ struct OpenCloseSettings {
   // Sweeps serve; in equilibrium, where nothing but its neighbours holds a loose block, they waste time.
   bool motion;
   ContactSolver solver = ContactSolver::automatic;
+  // Factors, with sweeps at their part of one, after which motion gives up: a shorter step is cheaper.
+  double most_effort = std::numeric_limits<double>::infinity();
 };
 
 class OpenClose {
