@@ -69,7 +69,9 @@ void Gas::detonate() {
     Reach hole;
     hole.nodes = paths_.wall_nodes(int(wall));
     first_volume_[charge] = gas_volume(model_, model_.blocks, 0, paths_, {int(wall)}, hole);
-    if (chamber.state == Chamber::State::vented && vent_part(chamber, model_.time) == 0) continue;  // blown out already
+    const bool vented = chamber.state == Chamber::State::vented;
+    if (vented && !model_.scene.charges[chamber.charges[0]].orifice && vent_part(chamber, model_.time) == 0)
+      continue;  // blown out already
     chamber.charges.push_back(charge);
     if (chamber.state == Chamber::State::waiting) {
       chamber.state = Chamber::State::pressing;
@@ -77,7 +79,10 @@ void Gas::detonate() {
       chamber.volume = first_volume_[charge];
       reach_[c] = hole;
     }
-    chamber.pressure = law_pressure(chamber, chamber.volume, model_.time);
+    if (vented)  // its volume is not followed where its gas had ended
+      spread(c);
+    else
+      chamber.pressure = law_pressure(chamber, chamber.volume, model_.time);
     events_.push_back({GasEventKind::detonation, c, -1, model_.time, chamber.volume, chamber.pressure});
   }
 }

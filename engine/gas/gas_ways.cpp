@@ -8,7 +8,9 @@ namespace talus {
 
 namespace {
 
-bool pressing(const Chamber& chamber) { return chamber.state != Chamber::State::merged && chamber.pressure > 0; }
+bool pressing(const Chamber& chamber) {
+  return chamber.state != Chamber::State::merged && chamber.pressure > 0;
+}
 
 }  // namespace
 
@@ -82,7 +84,8 @@ void Gas::vent() {
   }
 }
 
-// Through an orifice, over the step that ends now: at the volume it leads to, and the mean of the openings at its ends.
+// Through an orifice, over the step that ends now: at the volume it leads to, and the mean of the openings at its
+// ends.
 void Gas::leak(int c, double dt) {
   Chamber& chamber = chambers_[c];
   const auto& charges = model_.scene.charges;
@@ -90,7 +93,8 @@ void Gas::leak(int c, double dt) {
   if (chamber.state != Chamber::State::vented || !orifice || chamber.pressure == 0) return;
   double mass = 0;
   for (const int charge : chamber.charges)
-    mass += left_[charge] * first_volume_[charge] * (charges[charge].orifice ? charges[charge].orifice : orifice)->density;
+    mass += left_[charge] * first_volume_[charge] *
+            (charges[charge].orifice ? charges[charge].orifice : orifice)->density;
   const double before = chamber.opening;
   chamber.opening = opening(*orifice, model_, reach_[c]);
   const double part = blow_down(

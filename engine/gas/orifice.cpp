@@ -26,12 +26,14 @@ double mass_flux(double gamma, double pressure, double density, double outside) 
 double blow_down(const Orifice& orifice, double opening, double mass, double volume,
                  const std::function<double(double)>& pressure, double seconds) {
   const auto rate = [&](double x) {
-    return orifice.coefficient * opening / mass * mass_flux(orifice.gamma, pressure(x), x * mass / volume, orifice.atmosphere);
+    return orifice.coefficient * opening / mass *
+           mass_flux(orifice.gamma, pressure(x), x * mass / volume, orifice.atmosphere);
   };
   double left = 1;
   while (seconds > 0) {
     const double first = rate(left), h = first > 0 ? std::min(seconds, at_most * left / first) : seconds;
-    const double second = rate(left - h / 2 * first), third = rate(left - h / 2 * second), fourth = rate(left - h * third);
+    const double second = rate(left - h / 2 * first), third = rate(left - h / 2 * second),
+                 fourth = rate(left - h * third);
     left -= h / 6 * (first + 2 * second + 2 * third + fourth);
     seconds -= h;
     if (pressure(left) <= ended * orifice.atmosphere) return 0;

@@ -15,19 +15,19 @@
 namespace talus {
 namespace {
 
-// A function whose result lies in [0, most]; its faults end the run. It gets the first numbers, which messages show, and those
-// of the chamber, of which lib/talus/gas.lua makes the table that the script sees.
-std::function<double(std::initializer_list<double>, const GasMoment&)> number_law(const LuaFunction& law, const Place& place,
-                                                                                  const std::string& label, const char* argument,
-                                                                                  double most, const char* expected) {
+// A function whose result lies in [0, most]; its faults end the run. It gets the first numbers, which messages
+// show, and those of the chamber, of which lib/talus/gas.lua makes the table that the script sees.
+std::function<double(std::initializer_list<double>, const GasMoment&)> number_law(
+    const LuaFunction& law, const Place& place, const std::string& label, const char* argument, double most,
+    const char* expected) {
   return [=](std::initializer_list<double> numbers, const GasMoment& m) {
     const char* const names[] = {argument};
     std::vector<double> arguments(numbers);
     arguments.insert(arguments.end(), {m.volume, m.first_volume, m.pressure, m.front});
     LawResult result = call_law(law, names, arguments);
     if (result.problem.empty() && !(result.value >= 0 && result.value <= most))
-      result.problem = std::string("at ") + argument + " = " + std::to_string(arguments[0]) + ": expected " + expected + ", got " +
-                       std::to_string(result.value);
+      result.problem = std::string("at ") + argument + " = " + std::to_string(arguments[0]) + ": expected " +
+                       expected + ", got " + std::to_string(result.value);
     if (!result.problem.empty()) throw LawError(place.text() + ": " + label + ": " + result.problem);
     return result.value;
   };
@@ -44,13 +44,19 @@ GasLaw ready_made(const TableReader& t) {
   }
   Jwl c{};
   double filled = 1;
-  for (const auto& [key, value] : {std::pair{"A", &c.a}, {"B", &c.b}, {"R1", &c.r1}, {"R2", &c.r2}, {"omega", &c.omega},
-                                   {"E", &c.energy}, {"filled", &filled}})
+  for (const auto& [key, value] : {std::pair{"A", &c.a},
+                                   {"B", &c.b},
+                                   {"R1", &c.r1},
+                                   {"R2", &c.r2},
+                                   {"omega", &c.omega},
+                                   {"E", &c.energy},
+                                   {"filled", &filled}})
     t.read(key, *value);
   return jwl(c, filled);
 }
 
-// Normal with the deviation `scatter` about `delay`, by Box and Muller; what would come before the start comes at it.
+// Normal with the deviation `scatter` about `delay`, by Box and Muller; what would come before the start comes at
+// it.
 double scattered(double delay, double scatter, std::uint64_t seed, std::uint64_t charge) {
   Random random(Random(seed).next() + charge);
   const double radius = std::sqrt(-2 * std::log(1 - random.unit()));
@@ -87,7 +93,8 @@ Charge read_charge(const TableReader& t) {
   });
   lua_State* L = t.state();
   constexpr double no_bound = 1e300;
-  const auto law = [&](const char* key, const char* label, const char* argument, double most, const char* expected) {
+  const auto law = [&](const char* key, const char* label, const char* argument, double most,
+                       const char* expected) {
     std::function<double(std::initializer_list<double>, const GasMoment&)> found;
     if (!t.push(key)) return found;
     found = number_law(LuaFunction(L, -1), c.place, label, argument, most, expected);

@@ -184,6 +184,36 @@ do
   talus.check.near("halves apart: pressure by its law", charge.pressure, P0*(charge.left*V0/charge.volume)^gamma, { rel = 1e-10 })
 end
 
+-- A charge goes off in a hole that the gas of another has come to, after that has begun to blow out: one pressure P, at which what is
+-- left of both, each by its own law, fills the chamber; or after that has ended, when it has the chamber for itself.
+for _, case in ipairs { { "on its way out", 6e-3 }, { "ended", 0.06 } } do
+  local name, delay = table.unpack(case)
+  local P, gamma, opening, reached = { 3*u.MPa, 5*u.MPa }, 1.4, 0.02, nil
+  local charges = {}
+  for i, hole in ipairs { "left", "right" } do
+    charges[i] = talus.charge { hole = hole, delay = (i - 1)*delay, gas_speed = 200, eos = talus.eos.polytropic { pressure = P[i], gamma = gamma },
+                                venting = talus.venting.orifice { opening = opening, density = 40 } }
+  end
+  local sim = talus.simulation {
+    regions = { talus.region { name = "strip", outline = talus.rect(0, 0, 3, 1), material = rock, held = true,
+      holes = { talus.circle { at = {0.3, 0.5}, radius = 0.05, name = "left" }, talus.circle { at = {1.3, 0.5}, radius = 0.05, name = "right" } },
+      cuts = { talus.trace { points = {{-1, 0.5}, {4, 0.5}} } } } },
+    charges = charges, time = { t_end = delay + 5e-4, dt = 5e-5 },
+    on_gas = function(_, events)
+      for _, event in ipairs(events) do if event.kind == "merging" then reached = event.time end end
+    end }
+  sim:run()
+  local left, right = sim.charges[1], sim.charges[2]
+  talus.check.near("gas " .. name .. ": reaches the other hole, s", reached or -1, 0.95/200, { abs = 2e-4 })
+  local fills = 0
+  for i, charge in ipairs { left, right } do
+    fills = fills + charge.left*charge.first_volume*(P[i]/right.pressure)^(1/gamma)
+  end
+  talus.check.near("gas " .. name .. ": what is left of both fills the chamber, m2", fills, right.volume, { rel = 1e-9 })
+  talus.check.truth("gas " .. name .. ": part left of the first", name == "ended" and left.left == 0 or left.left > 0.05 and left.left < 0.9)
+  talus.check.between("gas " .. name .. ": part left of the second", right.left, 0.01, 0.999)
+end
+
 -- Laws of time and chamber. A pressure P0 e^(-t/τ) in the hole between two halves gives each the impulse chord·∫P dt; a front that goes
 -- at k (L + its way) has come as far as L ((1 + k Δt)^n - 1).
 do
