@@ -115,32 +115,40 @@ Reach GasPaths::find(const Model& model, const std::vector<int>& own,
   return reach;
 }
 
+namespace {
+
+// Along a face. That of a second-order block is a parabola: this corner in it gives the polygon the same area.
+void follow(const BlockShape& shape, const Pose& pose, const Vec2& from, const Vec2& to, Polyline& outline) {
+  const Vec2 p = pose.place(from), q = pose.place(to);
+  outline.push_back(p);
+  if (shape.second_order()) outline.push_back(4 * pose.place((from + to) / 2) / 3 - (p + q) / 6);
+  outline.push_back(q);
+}
+
+}  // namespace
+
 double gas_volume(const Model& model, const std::vector<BlockState>& blocks, double seconds, const GasPaths& paths,
                   const std::vector<int>& walls, const Reach& reach) {
   const auto place = [&](int block, const Vec2& in_block) {
     return flown(model.shapes[block], blocks[block], seconds).place(in_block);
   };
-  // Along a face. That of a second-order block is a parabola: this corner in it gives the polygon the same area.
-  const auto follow = [&](int block, const Vec2& from, const Vec2& to, Polyline& outline) {
-    const Vec2 p = place(block, from), q = place(block, to);
-    outline.push_back(p);
-    if (model.shapes[block].second_order()) outline.push_back(4 * place(block, (from + to) / 2) / 3 - (p + q) / 6);
-    outline.push_back(q);
+  const auto follow_face = [&](int block, const Vec2& from, const Vec2& to, Polyline& outline) {
+    follow(model.shapes[block], flown(model.shapes[block], blocks[block], seconds), from, to, outline);
   };
   double volume = 0;
   for (const int wall : walls) {
     Polyline hole;  // the wall has its blocks on the left, the hole on the right
     for (const BlockEdge& edge : model.hole_walls[wall].edges) {
       const Vec2* const corners = &model.reference_vertex[model.shapes[edge.block].vertex_begin];
-      follow(edge.block, corners[edge.edge], corners[model.next_vertex(edge.block, edge.edge)], hole);
+      follow_face(edge.block, corners[edge.edge], corners[model.next_vertex(edge.block, edge.edge)], hole);
     }
     volume -= signed_area(hole);
   }
   for (const ReachedJoint& r : reach.joints) {
     const Joint& joint = model.joints[r.joint];
     Polyline gap;
-    follow(joint.b, between(joint.in_b, r.from), between(joint.in_b, r.to), gap);
-    follow(joint.a, between(joint.in_a, r.to), between(joint.in_a, r.from), gap);
+    follow_face(joint.b, between(joint.in_b, r.from), between(joint.in_b, r.to), gap);
+    follow_face(joint.a, between(joint.in_a, r.to), between(joint.in_a, r.from), gap);
     volume += signed_area(gap);
   }
   for (const int node : reach.nodes) {
@@ -171,10 +179,12 @@ double swept_by_faces(const Model& model, int chamber, const std::vector<BlockSt
   double volume = 0;
   for (const GasFace& face : model.gas_faces) {
     if (face.chamber != chamber) continue;
-    const Pose then = flown(model, face.block, 0), now = flown(model.shapes[face.block], moved[face.block], 0);
-    const Vec2 from = then.place(face.in_block[0]), to = then.place(face.in_block[1]);
-    const Vec2 from_now = now.place(face.in_block[0]), to_now = now.place(face.in_block[1]);
-    volume += perp(to + to_now - from - from_now).dot(from_now + to_now - from - to) / 4;
+    const BlockShape& shape = model.shapes[face.block];
+    Polyline then, now;
+    follow(shape, flown(model, face.block, 0), face.in_block[0], face.in_block[1], then);
+    follow(shape, flown(shape, moved[face.block], 0), face.in_block[0], face.in_block[1], now);
+    for (size_t k = 1; k < then.size(); ++k)
+      volume += perp(then[k] + now[k] - then[k - 1] - now[k - 1]).dot(now[k - 1] + now[k] - then[k - 1] - then[k]) / 4;
   }
   return volume;
 }

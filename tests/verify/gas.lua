@@ -28,6 +28,22 @@ do
   talus.check.near("ledger with gas", sim.energy.unexplained, 0, { abs = 1e-5*sim.energy.scale })
 end
 
+-- Faces of second-order blocks bend: what they sweep, and so the law's work, has the bend in it.
+do
+  local sim = talus.simulation {
+    regions = { talus.region { name = "rock", outline = talus.rect(-1, -1, 1, 1), material = rock, order = 2,
+      holes = { talus.circle { at = {0, 0}, radius = 0.1, sides = 12, name = "hole" } },
+      mesh = { size = talus.grade { { at = "hole", size = 0.06 }, far = 0.5 } } } },
+    boundaries = { talus.viscous { region = "rock", on = {"left", "right", "bottom", "top"} } },
+    charges = { talus.charge { hole = "hole", eos = talus.eos.polytropic { pressure = 10*u.MPa }, gas_speed = 0 } },
+    time = { t_end = 1e-3, dt = 2e-5 },
+  }
+  sim:run()
+  talus.check.near("second order: work of the law = work on the wall", sim.energy.gas, sim.charges[1].work, { rel = 1e-3 })
+  talus.check.near("second order: nothing filled without work, of the growth", sim.charges[1].joined, 0,
+    { abs = 1e-3*(sim.charges[1].volume - sim.charges[1].first_volume) })
+end
+
 -- Two halves parted by a real joint through the hole: the front runs along it and vents at the edge.
 do
   local speed, P0, gamma = 50, 5*u.MPa, 1.4
