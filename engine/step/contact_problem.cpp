@@ -3,12 +3,10 @@
 namespace talus {
 
 void ContactProblem::take(const Model& of, const System& whole, const ContactTerms& all,
-                          std::span<const int> own_blocks, std::span<const int> rows,
-                          const std::vector<char>& bonded_blocks, std::vector<int>& place) {
+                          std::span<const int> own_blocks, std::span<const int> rows, std::vector<int>& place) {
   model = &of;
   blocks.assign(own_blocks.begin(), own_blocks.end());
   for (auto* list : {&dofs, &dof_begin}) list->clear();
-  bonded.clear();
   system.force_scale.clear();
   system.force_rounding.clear();
   int unknowns = 0;
@@ -18,7 +16,6 @@ void ContactProblem::take(const Model& of, const System& whole, const ContactTer
     dofs.push_back(shape.dofs);
     dof_begin.push_back(unknowns);
     unknowns += shape.dofs;
-    bonded.push_back(bonded_blocks[b]);
     // What meets in a held block elsewhere is no scale for what happens here.
     system.force_scale.push_back(shape.dofs ? whole.force_scale[b] : 0);
     system.force_rounding.push_back(whole.force_rounding[b]);

@@ -11,7 +11,6 @@ struct ContactProblem {
   const Model* model = nullptr;  // for the contacts' last forces, and the size of the scene
   std::vector<int> blocks;       // ids, rising; held ones that are touched are among them
   std::vector<int> dofs, dof_begin;
-  std::vector<char> bonded;  // by an intact joint
   System system;
   ContactTerms contacts;
   LinearSolver solver;
@@ -19,7 +18,7 @@ struct ContactProblem {
   // Everything but the matrix: enough to judge forces at rest. `place`: where numbers are kept meanwhile, one a
   // block of the model.
   void take(const Model& of, const System& whole, const ContactTerms& all, std::span<const int> own_blocks,
-            std::span<const int> rows, const std::vector<char>& bonded_blocks, std::vector<int>& place);
+            std::span<const int> rows, std::vector<int>& place);
   // The matrix. The solver's order is kept where its pattern is.
   void take_matrix(const System& whole, const std::vector<int>& place);
   // As LinearSolver::factor; the order is found only when one is asked for: sweeps need none.

@@ -1,8 +1,9 @@
 #pragma once
-// Nonlinear Gauss–Seidel over contacts, in forces (Moreau 1988, Jean 1999: non-smooth contact dynamics), for blocks that
-// no bond joins: each contact in turn gets the normal and shear force that meet its whole law, Coulomb's cone included,
-// with all other forces held. In forces a stiff contact is an easy one: only the bodies' own inertia and stiffness make
-// neighbours depend on each other, so what waves cannot cross in a step converges in a few sweeps, without a factor.
+// Nonlinear Gauss–Seidel over contacts, in forces (Moreau 1988, Jean 1999: non-smooth contact dynamics): each contact in
+// turn gets the normal and shear force that meet its whole law, Coulomb's cone included, with all other forces held. In
+// forces a stiff contact is an easy one: only the bodies' own inertia and stiffness make neighbours depend on each other, so
+// what waves cannot cross in a step converges in a few sweeps, without a factor. Blocks that hang together by bonds move as
+// patches of a few, and what holds patches together is relaxed from patch to patch in the same sweep.
 // Between pairs of sweeps the forces are carried on: by Nesterov's momentum (1983) with restart (O'Donoghue & Candès 2015), or by
 // Anderson's mixing, dearer and surer.
 #include "step/contact_problem.h"
@@ -85,7 +86,7 @@ class ContactSweeps : public Sweeping {
   void start(const ContactProblem& problem);
 
   // Sweeps, forwards and backwards, from the forces (N; per contact of the step), at most `most` of each, until the
-  // forces change by no more than `enough` of their norm. d: unknowns, of which those of loose blocks are set. With `worth`
+  // forces change by no more than `enough` of their norm. d: unknowns, from which the forces between patches start. With `worth`
   // > 0 gives up early where they are not on the way to be done within so many pairs more.
   Progress run(int most, double enough, int worth, Carry carry, std::vector<double>& normal, std::vector<double>& shear, Vector& d) {
     return second_order_ ? second_.run(most, enough, worth, carry, normal, shear, d)

@@ -18,9 +18,8 @@ struct IslandSolver::Step {
 };
 
 void IslandSolver::find(const Model& model, const ContactTerms& contacts, bool together) {
-  bonded_ = bonded_blocks(model);
   place_.resize(model.shapes.size());
-  islands_.find(model, contacts, bonded_, together);
+  islands_.find(model, contacts, together);
   at_rest_.assign(size_t(islands_.count()), Rest::moves);
 }
 
@@ -57,7 +56,7 @@ OpenCloseResult IslandSolver::judge(const Model& model, const System& system, co
                                     double enough) {
   OpenCloseResult worst;
   for (int island = 0; island < islands_.count(); ++island) {
-    judged_.take(model, system, contacts, islands_.blocks(island), islands_.rows(island), bonded_, place_);
+    judged_.take(model, system, contacts, islands_.blocks(island), islands_.rows(island), place_);
     const OpenCloseResult own = open_close_.judge(judged_);
     if (own.residual <= enough) at_rest_[island] = Rest::rests;
     if (island == 0 || !(own.residual <= worst.residual)) worst = own;
@@ -78,8 +77,7 @@ Rest IslandSolver::judge_rest(const Step& step, int island) {
       if (rate != 0) rest = Rest::settles;
     }
   }
-  judged_.take(step.model, step.system, step.contacts, islands_.blocks(island), islands_.rows(island), bonded_,
-               place_);
+  judged_.take(step.model, step.system, step.contacts, islands_.blocks(island), islands_.rows(island), place_);
   return open_close_.judge(judged_).residual <= step.settings.tolerance ? rest : Rest::moves;
 }
 
@@ -112,8 +110,7 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
   if (!kept) kept = std::make_unique<Kept>();
   kept->solve = solve_;
   ContactProblem& problem = kept->problem;
-  problem.take(step.model, step.system, step.contacts, islands_.blocks(island), islands_.rows(island), bonded_,
-               place_);
+  problem.take(step.model, step.system, step.contacts, islands_.blocks(island), islands_.rows(island), place_);
   problem.take_matrix(step.system, place_);
   Vector own_d;
   if (step.start.size() > 0) {

@@ -53,7 +53,6 @@ class IslandSolver {
   void watch(const Step& step, const Vector& d, IslandResult& result);
 
   Islands islands_;
-  std::vector<char> bonded_;
   std::vector<Rest> at_rest_;    // per island
   std::vector<char> converged_;  // per island
   std::vector<int> place_, missed_;

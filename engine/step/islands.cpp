@@ -7,13 +7,6 @@
 
 namespace talus {
 
-std::vector<char> bonded_blocks(const Model& model) {
-  std::vector<char> bonded(model.shapes.size(), 0);
-  for (const Joint& joint : model.joints)
-    if (ties(joint)) bonded[joint.a] = bonded[joint.b] = 1;
-  return bonded;
-}
-
 // pairs: (list, item), in the order the items shall have.
 void Islands::Lists::fill(int count, const std::vector<std::pair<int, int>>& pairs) {
   begin.assign(size_t(count) + 1, 0);
@@ -24,17 +17,17 @@ void Islands::Lists::fill(int count, const std::vector<std::pair<int, int>>& pai
   for (const auto& [list, item] : pairs) items[next[list]++] = item;
 }
 
-void Islands::find(const Model& model, const ContactTerms& contacts, const std::vector<char>& bonded,
-                   bool together) {
+void Islands::find(const Model& model, const ContactTerms& contacts, bool together) {
   if (together) return take_all(model, contacts);
   const int count = join(model, contacts);
   single_.assign(size_t(count), 1);
   std::vector<std::pair<int, int>> members, rows;
-  for (int b = 0; b < int(of_.size()); ++b) {
-    if (of_[b] < 0) continue;
-    members.push_back({of_[b], b});
-    if (bonded[b]) single_[of_[b]] = 0;
-  }
+  for (int b = 0; b < int(of_.size()); ++b)
+    if (of_[b] >= 0) members.push_back({of_[b], b});
+  for (const Joint& joint : model.joints)
+    if (ties(joint))
+      for (const int b : {joint.a, joint.b})
+        if (of_[b] >= 0) single_[of_[b]] = 0;
   for (int k = 0; k < int(contacts.rows().size()); ++k) {
     const ContactRows& row = contacts.rows()[k];
     const int i = of_[row.i], j = of_[row.j], island = i < 0 || j < 0 || i == j ? std::max(i, j) : count;

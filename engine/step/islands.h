@@ -11,13 +11,10 @@ namespace talus {
 // Whether it holds its blocks together: intact, or softening.
 inline bool ties(const Joint& joint) { return joint.state == JointState::intact || joint.bridged; }
 
-// Which blocks such a joint holds.
-std::vector<char> bonded_blocks(const Model& model);
-
 class Islands {
  public:
-  // bonded: per block, whether an intact joint holds it. together: one island, the scene. O(blocks + contacts).
-  void find(const Model& model, const ContactTerms& contacts, const std::vector<char>& bonded, bool together);
+  // together: one island, the scene. O(blocks + joints + contacts).
+  void find(const Model& model, const ContactTerms& contacts, bool together);
 
   int count() const { return int(single_.size()); }
   std::span<const int> blocks(int island) const { return blocks_.of(island); }  // rising; held ones among them

@@ -27,7 +27,7 @@ constexpr int equilibrium_iterations = 200;
 constexpr int held_iterations = 15;  // open–close, before equilibrium is sought against more inertia, where states change less
 constexpr double release_hold = 100;  // so that states change a few at a time
 constexpr int release_iterations = 40;
-constexpr double most_effort_among_cracks = 12;  // factors a solve, three times what keeps a step from growing
+constexpr double most_solve_effort = 12;  // factors, among cracks: three times what keeps a step from growing
 
 // What an attempt at a step changes before it is known to succeed; put back unless keep() is called.
 class Attempt {
@@ -401,7 +401,7 @@ IslandResult Stepper::solve(double dt, Vector& d) {
   const OpenCloseSettings settings{numerics.contact_tolerance,
                                    motion ? numerics.max_iterations : std::min(numerics.max_iterations, held_iterations),
                                    motion, numerics.solver,
-                                   fracture_ && dt > fracture_->least_transit() ? most_effort_among_cracks
+                                   fracture_ && dt > fracture_->least_transit() ? most_solve_effort
                                                                                 : std::numeric_limits<double>::infinity()};
   const IslandResult result = islands_.solve(model_, system_, contacts_, settings, dt, d);
   totals_.iterations += result.solves;

@@ -48,11 +48,10 @@ Desk::Desk(const Problem& given) : problem(given), matrix_(given.system.matrix) 
     slots_.push_back({matrix_.slot(contact(k).i, contact(k).i), matrix_.slot(contact(k).j, contact(k).j),
                       matrix_.slot(contact(k).i, contact(k).j)});
   solver_.analyse(matrix_);
-  const std::vector<char> bonded = bonded_blocks(problem.model);
   std::vector<int> place(problem.model.shapes.size());
   Islands islands;
-  islands.find(problem.model, problem.contacts, bonded, true);
-  whole_.take(problem.model, problem.system, problem.contacts, islands.blocks(0), islands.rows(0), bonded, place);
+  islands.find(problem.model, problem.contacts, true);
+  whole_.take(problem.model, problem.system, problem.contacts, islands.blocks(0), islands.rows(0), place);
   whole_.take_matrix(problem.system, place);
 }
 

@@ -43,11 +43,10 @@ struct Swept {
     search.update(model, dt);
     assembled = std::make_unique<test::Assembled>(model, scheme);
     terms.linearise(model, assembled->poses, scheme, false, {});
-    const std::vector<char> bonded = bonded_blocks(model);
     std::vector<int> place(model.shapes.size());
     Islands islands;
-    islands.find(model, terms, bonded, true);
-    problem.take(model, assembled->system, terms, islands.blocks(0), islands.rows(0), bonded, place);
+    islands.find(model, terms, true);
+    problem.take(model, assembled->system, terms, islands.blocks(0), islands.rows(0), place);
     problem.take_matrix(assembled->system, place);
     sweeps.start(problem);
     normal.assign(model.contacts.size(), 0);

@@ -47,7 +47,7 @@ struct Found {
     const Scheme scheme = Scheme::theta(dt, 0.75);
     poses.predict(model, scheme);
     terms.linearise(model, poses, scheme, false, {});
-    islands.find(model, terms, bonded_blocks(model), as_one);
+    islands.find(model, terms, as_one);
   }
   std::vector<int> blocks(int island) const {
     return {islands.blocks(island).begin(), islands.blocks(island).end()};
@@ -78,11 +78,11 @@ TEST(Islands, AsOneForStudy) {
 TEST(Islands, BondsTieAndFailedOnesDoNot) {
   Model model = build(test::scene_of({test::patterned("plate", rectangle(0, 0, 2, 1), MeshKind::cross, 1, 1)}));
   Islands islands;
-  islands.find(model, {}, bonded_blocks(model), false);
+  islands.find(model, {}, false);
   EXPECT_EQ(islands.count(), 1);
   EXPECT_FALSE(islands.single(0));
   for (Joint& joint : model.joints) joint.state = JointState::failed;
-  islands.find(model, {}, bonded_blocks(model), false);
+  islands.find(model, {}, false);
   EXPECT_EQ(islands.count(), int(model.shapes.size()));
   EXPECT_TRUE(islands.single(0));
 }
