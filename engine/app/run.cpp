@@ -1,0 +1,71 @@
+// talus run, talus plan: a scene from its command line.
+#include "app/command.h"
+
+namespace talus {
+namespace {
+
+std::pair<std::string, std::string> read_parameter(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) throw UsageError{"-p: expected name=value, got \"" + text + "\""};
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+// Whether it was one of the options that every command on a scene takes.
+bool read_scene_option(const Arguments& arguments, std::size_t& i, SessionOptions& options) {
+  const std::string& argument = arguments[i];
+  if (argument == "-p") {
+    options.parameters.push_back(read_parameter(value_after(arguments, i)));
+  } else if (argument == "-o") {
+    options.output_dir = value_after(arguments, i);
+  } else if (!argument.starts_with("-") && options.script.empty()) {
+    options.script = argument;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+SessionOptions named(const Arguments& arguments, const std::string& command) {
+  SessionOptions options;
+  options.command_line = command;
+  for (const std::string& argument : arguments) options.command_line += " " + argument;
+  return options;
+}
+
+}  // namespace
+
+const std::string& value_after(const Arguments& arguments, std::size_t& i) {
+  if (i + 1 == arguments.size()) throw UsageError{arguments[i] + ": expected a value after it"};
+  return arguments[++i];
+}
+
+SessionOptions read_scene_arguments(const Arguments& arguments, const std::string& command) {
+  SessionOptions options = named(arguments, command);
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    if (!read_scene_option(arguments, i, options)) throw UsageError{"unexpected argument \"" + arguments[i] + "\""};
+  if (options.script.empty()) throw UsageError{"expected a scene"};
+  return options;
+}
+
+int run_command(const Arguments& arguments) {
+  SessionOptions options = named(arguments, "talus");
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == "--restart") {
+      options.restart = value_after(arguments, i);
+    } else if (!read_scene_option(arguments, i, options)) {
+      throw UsageError{"unexpected argument \"" + arguments[i] + "\""};
+    }
+  }
+  if (options.script.empty()) throw UsageError{"expected a scene"};
+  return Session(std::move(options)).execute();
+}
+
+int plan_command(const Arguments& arguments) {
+  for (const std::string& argument : arguments)
+    if (argument == "--restart") throw UsageError{"plan: expected no --restart, nothing is run"};
+  SessionOptions options = read_scene_arguments(arguments, "talus plan");
+  options.plan_only = true;
+  return Session(std::move(options)).execute();
+}
+
+}  // namespace talus
