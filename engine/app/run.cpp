@@ -1,4 +1,6 @@
-// talus run, talus plan: a scene from its command line.
+// talus run, talus plan, talus parameters: a scene from its command line.
+#include <cstdio>
+
 #include "app/command.h"
 
 namespace talus {
@@ -52,6 +54,8 @@ int run_command(const Arguments& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i] == "--restart") {
       options.restart = value_after(arguments, i);
+    } else if (arguments[i] == "--inputs") {
+      options.inputs_file = value_after(arguments, i);
     } else if (!read_scene_option(arguments, i, options)) {
       throw UsageError{"unexpected argument \"" + arguments[i] + "\""};
     }
@@ -66,6 +70,17 @@ int plan_command(const Arguments& arguments) {
   SessionOptions options = read_scene_arguments(arguments, "talus plan");
   options.plan_only = true;
   return Session(std::move(options)).execute();
+}
+
+int parameters_command(const Arguments& arguments) {
+  SessionOptions options = read_scene_arguments(arguments, "talus parameters");
+  options.parameters_only = true;
+  Session session(std::move(options));
+  const int status = session.execute();
+  // The first two words of a line are read by `talus sweep` too.
+  for (const DeclaredParameter& known : session.declared())
+    std::printf("%s  %s  %s\n", known.name.c_str(), known.type == "string" ? "text" : known.type.c_str(), known.meaning.c_str());
+  return status;
 }
 
 }  // namespace talus

@@ -170,7 +170,8 @@ void RunOutput::frame(Simulation& simulation) {
   parts_->write_frame(simulation);
 }
 
-void RunOutput::finish(Simulation& simulation, const std::string& outcome, const std::vector<CheckLine>& checks) {
+void RunOutput::finish(Simulation& simulation, const std::string& outcome, const std::vector<CheckLine>& checks,
+                       const std::vector<ResultLine>& results) {
   if (!parts_) return;
   {
     const Booked booked(simulation.totals);
@@ -182,7 +183,8 @@ void RunOutput::finish(Simulation& simulation, const std::string& outcome, const
                               .wall_seconds = wall_seconds() - parts_->started,
                               .cpu_seconds = cpu_seconds(),
                               .checks = checks,
-                              .restores = parts_->restores};
+                              .restores = parts_->restores,
+                              .results = results};
   write_whole(parts_->dir + "/run.json", run_report(simulation, account));
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/fields.h"
+#include "output/report.h"
 #include "step/simulation.h"
 
 namespace talus {
@@ -27,8 +28,9 @@ class RunOutput {
   // A state was restored from `from`: results of later steps leave history.csv and the series, which then tell one
   // course from the start to now.
   void rewind(const Simulation& simulation, const std::string& from);
-  // Last frame, run.json with `outcome` ("finished", "stopped", or the error's text) and checks.
-  void finish(Simulation& simulation, const std::string& outcome, const std::vector<CheckLine>& checks);
+  // Last frame, run.json with `outcome` ("finished", "stopped", or the error's text), checks and results.
+  void finish(Simulation& simulation, const std::string& outcome, const std::vector<CheckLine>& checks,
+              const std::vector<ResultLine>& results = {});
 
  private:
   struct Parts;

@@ -60,6 +60,18 @@ void add_checks(Json& json, const std::vector<CheckLine>& checks) {
   json.end();
 }
 
+void add_results(Json& json, const std::vector<ResultLine>& results) {
+  json.object("results");
+  for (const ResultLine& result : results) {
+    json.object(result.name);
+    if (const auto* number = std::get_if<double>(&result.value)) json.number("value", *number);
+    if (const auto* text = std::get_if<std::string>(&result.value)) json.text("value", *text);
+    if (const auto* truth = std::get_if<bool>(&result.value)) json.truth("value", *truth);
+    json.text("unit", result.unit).end();
+  }
+  json.end();
+}
+
 void add_restores(Json& json, const std::vector<RunAccount::Restore>& restores) {
   json.array("restored");
   for (const RunAccount::Restore& one : restores)
@@ -86,6 +98,7 @@ std::string run_report(const Simulation& simulation, const RunAccount& account) 
   add_energy(json, simulation);
   add_seconds(json, simulation.totals, account);
   add_checks(json, account.checks);
+  add_results(json, account.results);
   return json.end().file();
 }
 

@@ -1,11 +1,18 @@
 #pragma once
 // run.json: what was run, with what, how it went.
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "step/simulation.h"
 
 namespace talus {
+
+// What a script has found out: talus.result. A number, or a text or truth as it is written.
+struct ResultLine {
+  std::string name, unit;
+  std::variant<double, std::string, bool> value;
+};
 
 struct RunAccount {
   std::string command_line, outcome;
@@ -17,6 +24,7 @@ struct RunAccount {
     double time = 0;  // s
   };
   std::vector<Restore> restores{};
+  std::vector<ResultLine> results{};
 };
 std::string run_report(const Simulation& simulation, const RunAccount& account);
 

@@ -4,6 +4,7 @@
 
 #include "input/drawing.h"
 #include "script/lua_error.h"
+#include "script/lua_state.h"
 #include "script/session.h"
 
 namespace talus {
@@ -62,6 +63,7 @@ int native_read_drawing(lua_State* L) {
   Drawing drawing;
   try {
     const std::string text = read_text(path.string(), file);
+    note_file(L, path.string());
     drawing = call.ends_with("csv") ? read_csv(text, file) : read_dxf(text, file, chord);
   } catch (const FileError& error) {
     throw ScriptError(ErrorKind::input, user_place(L).text() + ": " + call + ": " + error.what());

@@ -1,13 +1,17 @@
 #include "script/lua_state.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <new>
 
+#include "input/file_hash.h"
 #include "script/lua_error.h"
 
 namespace talus {
 namespace {
+
+constexpr const char* files_key = "talus.files";  // in Lua's registry: path -> hash
 
 std::string library_folder(const LuaOptions& options) {
   if (!options.library.empty()) return options.library;
@@ -36,6 +40,7 @@ int search_text(lua_State* L) {
   if (lua_isnil(L, -2)) return 1;
   lua_pop(L, 1);
   const std::string file = lua_tostring(L, -1);
+  note_file(L, file);
   if (luaL_loadfilex(L, file.c_str(), "t") != LUA_OK) {
     return luaL_error(L, "cannot load module '%s': %s", name, lua_tostring(L, -1));
   }
@@ -166,7 +171,25 @@ void set_search_path(lua_State* L, const std::string& script, const std::string&
   lua_pop(L, 1);
 }
 
+void note_file(lua_State* L, const std::string& path) {
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, files_key);
+  lua_pushinteger(L, static_cast<lua_Integer>(hash_of_file(path)));
+  lua_setfield(L, -2, path.c_str());
+  lua_pop(L, 1);
+}
+
+std::vector<ScriptFile> noted_files(lua_State* L) {
+  std::vector<ScriptFile> files;
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, files_key);
+  for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))
+    files.push_back({lua_tostring(L, -2), static_cast<std::uint64_t>(lua_tointeger(L, -1))});
+  lua_pop(L, 1);
+  std::ranges::sort(files, {}, &ScriptFile::path);
+  return files;
+}
+
 void run_file(lua_State* L, const std::string& path) {
+  note_file(L, path);
   if (luaL_loadfilex(L, path.c_str(), "t") != LUA_OK) throw pop_error(L);
   protected_call(L, 0, 0);
 }

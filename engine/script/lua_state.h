@@ -2,8 +2,10 @@
 // A Lua 5.4 state for one scene: capped memory, text chunks only, no io, os reduced to time, clock and date
 // (the rest of it says what to use instead).
 #include <cstddef>
+#include <cstdint>
 #include <lua.hpp>
 #include <string>
+#include <vector>
 
 namespace talus {
 
@@ -35,6 +37,14 @@ class LuaState {
 
 // `require` looks in the script's folder, then in the library.
 void set_search_path(lua_State* L, const std::string& script, const std::string& library);
+
+// What a script was made of: its own file, those it requires, those it reads. With a hash of the text.
+struct ScriptFile {
+  std::string path;
+  std::uint64_t hash = 0;
+};
+void note_file(lua_State* L, const std::string& path);  // as it is now
+std::vector<ScriptFile> noted_files(lua_State* L);
 
 // Loads and runs the script file; throws ScriptError.
 void run_file(lua_State* L, const std::string& path);

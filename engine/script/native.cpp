@@ -123,15 +123,33 @@ int native_add_check(lua_State* L) {
   return 0;
 }
 
+// add_result(name, value, unit)
+int native_add_result(lua_State* L) {
+  ResultLine result{luaL_checkstring(L, 1), luaL_checkstring(L, 3), 0.0};
+  if (lua_isboolean(L, 2)) result.value = lua_toboolean(L, 2) != 0;
+  else if (lua_type(L, 2) == LUA_TNUMBER) result.value = lua_tonumber(L, 2);
+  else result.value = std::string(luaL_checkstring(L, 2));
+  Session::of(L).add_result(result);
+  return 0;
+}
+
+// study(flat): what `talus sweep` works on
+int native_study(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  Session::of(L).add_study(L, 1);
+  return 0;
+}
+
 // note(text): for the notes of the next simulation
 int native_note(lua_State* L) {
   Session::of(L).add_note(luaL_checkstring(L, 1));
   return 0;
 }
 
-// parameter(name, meaning) -> text given with -p, or nothing
+// parameter(name, meaning, type) -> text given with -p, or nothing
 int native_parameter(lua_State* L) {
-  const std::string* value = Session::of(L).parameter(luaL_checkstring(L, 1), luaL_checkstring(L, 2));
+  const std::string* value =
+      Session::of(L).parameter({luaL_checkstring(L, 1), luaL_checkstring(L, 2), luaL_checkstring(L, 3)});
   if (!value) return 0;
   lua_pushstring(L, value->c_str());
   return 1;
@@ -176,6 +194,8 @@ int load_native(lua_State* L) {
                                     {"update", guarded<native_update>},
                                     {"add_check", guarded<native_add_check>},
                                     {"note", guarded<native_note>},
+                                    {"add_result", guarded<native_add_result>},
+                                    {"study", guarded<native_study>},
                                     {"read_drawing", guarded<native_read_drawing>},
                                     {"parameter", guarded<native_parameter>},
                                     {"fields", guarded<native_fields>},

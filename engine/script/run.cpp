@@ -223,6 +223,11 @@ void Run::stop() {
   simulation.stop();
 }
 
+void Run::add_result(const ResultLine& result) {
+  std::erase_if(results_, [&](const ResultLine& one) { return one.name == result.name; });
+  results_.push_back(result);
+}
+
 void Run::finish(const std::string& outcome) {
   if (done_) return;
   done_ = true;
@@ -230,7 +235,7 @@ void Run::finish(const std::string& outcome) {
   if (!output_) return;
   const char* own = simulation.finished() && !stopped_ ? "finished" : "stopped";
   const std::string& known = failure_.empty() ? outcome : failure_;
-  output_->finish(simulation, known.empty() ? own : known, checks_);
+  output_->finish(simulation, known.empty() ? own : known, checks_, results_);
 }
 
 void Run::refuse_inside_step(lua_State* L, const std::string& what) const {

@@ -57,6 +57,7 @@ class Run {
   bool writes() const { return output_ != nullptr; }
   Phase phase() const { return phase_; }
   void add_check(const CheckLine& check) { checks_.push_back(check); }
+  void add_result(const ResultLine& result);  // in the place of one of the same name
   // Throws ScriptError(input) with `what` where the model must not be touched: inside a step.
   void refuse_inside_step(lua_State* L, const std::string& what) const;
 
@@ -77,6 +78,7 @@ class Run {
   std::unique_ptr<RunOutput> output_;
   std::optional<Progress> progress_;
   std::vector<CheckLine> checks_;
+  std::vector<ResultLine> results_;
   std::optional<Restart> restart_;
   int number_ = 1;
   std::string failure_;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "model/saved_state.h"
 #include "script/interrupt.h"
 #include "script/lua_error.h"
 #include "script/lua_state.h"
@@ -17,7 +18,7 @@
 namespace talus {
 namespace {
 
-const char session_key = 0;  // its address is the key in Lua's registry
+const char session_key = 0, study_key = 0;  // their addresses are keys in Lua's registry
 
 int status_of(const ScriptError& error) {
   switch (error.kind) {
@@ -47,6 +48,8 @@ int Session::execute() {
   lua_pushlightuserdata(L, this);
   lua_rawsetp(L, LUA_REGISTRYINDEX, &session_key);
   set_search_path(L, options_.script, state.library());
+  library_ = state.library();
+  L_ = L;
   int status = exit_ok;
   std::string outcome;
   try {
@@ -59,6 +62,7 @@ int Session::execute() {
     if (status != exit_ok) std::fprintf(stderr, "talus: %s\n", error.what());
   }
   for (const auto& run : runs_) finish(*run, outcome);
+  write_inputs();
   runs_.clear();  // models hold Lua functions: before the state goes
   if (status == exit_ok && output_failed_) return exit_run_stopped;
   return status == exit_ok && failed_checks_ > 0 ? exit_check_failed : status;
@@ -82,8 +86,18 @@ void Session::read_restart() {
 void Session::run_script(lua_State* L) {
   read_restart();
   open_native(L);
+  if (options_.parameters_only) {
+    lua_pushcfunction(L, [](lua_State*) { return 0; });
+    lua_setglobal(L, "print");
+  }
   run_file(L, options_.script);
   check_parameters();
+  if (options_.parameters_only) return;
+  if (options_.on_study) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &study_key) == LUA_TNIL)
+      throw ScriptError(ErrorKind::input, options_.script + ": expected a study, the script made no talus.study");
+    return options_.on_study(L, library_);
+  }
   if (runs_made_ == 0 && checks_ == 0) {
     throw ScriptError(ErrorKind::input, options_.script + ": the script made no talus.simulation and no check");
   }
@@ -113,12 +127,39 @@ void Session::finish(Run& run, const std::string& outcome) {
   }
 }
 
+void Session::add_study(lua_State* L, int index) {
+  const std::string place = user_place(L).text();
+  if (!options_.on_study)
+    throw ScriptError(ErrorKind::input, place + ": expected talus sweep " + options_.script +
+                                            ", as this is a study, got a run of it as a scene");
+  if (lua_rawgetp(L, LUA_REGISTRYINDEX, &study_key) != LUA_TNIL)
+    throw ScriptError(ErrorKind::input, place + ": expected one talus.study in a script, got a second");
+  lua_pushvalue(L, index);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &study_key);
+}
+
+// At the first simulation already: a run that is killed has a list too.
+void Session::write_inputs() const {
+  if (options_.inputs_file.empty()) return;
+  std::string list;
+  for (const ScriptFile& file : noted_files(L_)) list += hex(file.hash) + " " + file.path + "\n";
+  try {
+    write_whole(options_.inputs_file, list);
+  } catch (const RunError& error) {
+    std::fprintf(stderr, "talus: %s\n", error.what());
+  }
+}
+
 std::shared_ptr<Run> Session::add_run(Scene scene, RunHandlers handlers) {
   check_parameters();
+  if (options_.parameters_only) throw ScriptError(ErrorKind::planned, "the parameters are known");
+  if (options_.on_study)
+    throw InputError(scene.time.place, "simulation", "a study, which names a scene", "a simulation in it");
   if (!options_.plan_only) scene.output.dir = output_dir(scene.output.dir, scene.output.place);
   RunSettings settings{!options_.plan_only, options_.progress && !options_.plan_only, options_.command_line};
   settings.number = runs_made_ + 1;
   if (restart_ && restart_->saved.simulation == settings.number) settings.restart = restart_;
+  if (runs_made_ == 0) write_inputs();
   auto run = Run::create(std::move(scene), std::move(handlers), settings);
   ++runs_made_;
   std::vector<std::string>& notes = run->simulation.notes;
@@ -158,23 +199,28 @@ void Session::add_check(const CheckLine& check) {
   if (const auto run = latest_.lock()) run->add_check(check);
 }
 
+void Session::add_result(const ResultLine& result) {
+  if (const auto run = latest_.lock()) run->add_result(result);
+}
+
 std::string Session::folder() const {
   return std::filesystem::path(options_.script).parent_path().string();
 }
 
-const std::string* Session::parameter(const std::string& name, const std::string& meaning) {
-  known_parameters_.emplace_back(name, meaning);
-  const auto named = [&](const auto& p) { return p.first == name; };
+const std::string* Session::parameter(const DeclaredParameter& parameter) {
+  known_parameters_.push_back(parameter);
+  const auto named = [&](const auto& p) { return p.first == parameter.name; };
   const auto found = std::find_if(options_.parameters.rbegin(), options_.parameters.rend(), named);
   return found == options_.parameters.rend() ? nullptr : &found->second;
 }
 
 void Session::check_parameters() const {
+  if (options_.parameters_only) return;
   std::vector<std::string> names;
   std::string table;
-  for (const auto& [name, meaning] : known_parameters_) {
-    names.push_back(name);
-    table += "\n  " + name + "  " + meaning;
+  for (const DeclaredParameter& known : known_parameters_) {
+    names.push_back(known.name);
+    table += "\n  " + known.name + "  " + known.meaning;
   }
   for (const auto& [name, value] : options_.parameters) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;

@@ -22,6 +22,10 @@ struct SessionOptions {
   bool plan_only = false;
   bool progress = true;
   std::function<void(Run&)> on_run{};  // for every simulation that the script makes, before its first step
+  std::string inputs_file{};           // --inputs: where the list of the files that the script was made of goes
+  bool parameters_only = false;        // talus parameters: the script is left at its first simulation, and prints nothing
+  // talus sweep: the script is a study; its flat table (lib/talus/study) is on the top of the stack.
+  std::function<void(lua_State*, const std::string& library)> on_study{};
 };
 
 // Exit status of the program.
@@ -31,6 +35,11 @@ enum ExitStatus {
   exit_bad_input = 2,
   exit_run_stopped = 3
 };  // signals: 128 + n
+
+struct DeclaredParameter {
+  std::string name, meaning;  // "= 20  (friction angle, degrees)"
+  std::string type;           // of its default, in Lua's words
+};
 
 class Session {
  public:
@@ -43,9 +52,12 @@ class Session {
   std::shared_ptr<Run> add_run(Scene scene, RunHandlers handlers);
   void release(const std::shared_ptr<Run>& run);  // the script has dropped it: its results are ended
   void add_check(const CheckLine& check);
+  void add_result(const ResultLine& result);
+  void add_study(lua_State* L, int index);
   void add_note(const std::string& note) { notes_.push_back(note); }  // of the next run that is made
   std::string folder() const;  // of the script
-  const std::string* parameter(const std::string& name, const std::string& meaning);  // null: not given
+  const std::string* parameter(const DeclaredParameter& parameter);  // null: not given
+  const std::vector<DeclaredParameter>& declared() const { return known_parameters_; }
   bool plan_only() const { return options_.plan_only; }
   static Session& of(lua_State* L);
 
@@ -53,14 +65,17 @@ class Session {
   void read_restart();
   static int script_main(lua_State* L);
   void run_script(lua_State* L);
+  void write_inputs() const;
   void check_parameters() const;
   std::string output_dir(const std::string& wanted, const Place& place);
   void finish(Run& run, const std::string& outcome);
 
   SessionOptions options_;
+  lua_State* L_ = nullptr;  // while the script runs
+  std::string library_;     // its folder
   std::vector<std::shared_ptr<Run>> runs_;  // made and not released
   std::weak_ptr<Run> latest_;
-  std::vector<std::pair<std::string, std::string>> known_parameters_;  // name, meaning
+  std::vector<DeclaredParameter> known_parameters_;
   std::set<std::string> output_dirs_;
   std::vector<std::string> notes_;
   std::optional<Restart> restart_;

@@ -29,7 +29,7 @@ return function(name, default, meaning)
     local where = { place = place, path = ("param %s: default"):format(name) }
     places.expected(where, "a number, a text, true or false", default)
   end
-  local text = native.parameter(name, ("= %s%s"):format(default, meaning and ("  (%s)"):format(meaning) or ""))
+  local text = native.parameter(name, ("= %s%s"):format(default, meaning and ("  (%s)"):format(meaning) or ""), type(default))
   if text == nil then return default end
   local value = read(text)
   if value == nil then
