@@ -15,6 +15,13 @@ constexpr Command commands[] = {
      "  talus scene.lua [-p name=value …] [-o dir] [--restart file]    runs a scene (talus run scene.lua as well)\n",
      run_command},
     {"plan", "  talus plan scene.lua [-p name=value …]        builds it and prints what a step would do\n", plan_command},
+    {"parameters", "  talus parameters scene.lua                    what -p can set\n", parameters_command},
+    {"sweep",
+     "  talus sweep study.lua [-j N] [--resume] [--retry]    runs the variants of a talus.study, N at once (docs/sweeps.md)\n"
+     "  talus sweep study.lua --list                  prints a command line for each run that is still to be made\n"
+     "  talus sweep study.lua --collect               makes table and page of what is there\n"
+     "  talus sweep study.lua --slurm [--no-wait]     the runs as a job array of Slurm\n",
+     sweep_command},
 };
 
 constexpr const char* title = "talus: 2D discontinuous deformation analysis, scripted in Lua\n\n";
@@ -25,6 +32,7 @@ constexpr const char* options = R"(  talus --reference                          
   -p name=value   sets a talus.param of the scene
   -o dir          writes results there instead of where the scene says
   --restart file  continues from a state that sim:save("file") wrote
+  --inputs file   lists there which files the scene was made of, with a hash of each
 
 Exit status: 0 done; 1 a check failed; 2 bad input; 3 the run had to stop, results up to there are kept;
 130, 143 stopped by SIGINT, SIGTERM.

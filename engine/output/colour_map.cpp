@@ -38,10 +38,10 @@ std::string colour(ColourMap map, double t) {
   return text;
 }
 
-bool dark(const std::string& colour) {
+bool dark(const std::string& colour, double luma) {
   const unsigned long rgb = std::stoul(colour.substr(1), nullptr, 16);
   // Luma of ITU-R BT.601
-  return 0.299 * ((rgb >> 16) & 255) + 0.587 * ((rgb >> 8) & 255) + 0.114 * (rgb & 255) < 70;
+  return 0.299 * ((rgb >> 16) & 255) + 0.587 * ((rgb >> 8) & 255) + 0.114 * (rgb & 255) < luma;
 }
 
 }  // namespace talus

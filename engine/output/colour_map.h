@@ -7,6 +7,7 @@ namespace talus {
 enum class ColourMap { sequential, diverging };  // dark blue–green–yellow; blue–white–red, white at 0.5
 
 std::string colour(ColourMap map, double t);  // "#rrggbb" for t in [0, 1]
-bool dark(const std::string& colour);         // too dark for a black line on it
+// Too dark for a black line on it; for black letters with luma = 130.
+bool dark(const std::string& colour, double luma = 70);
 
 }  // namespace talus

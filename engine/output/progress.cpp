@@ -16,12 +16,6 @@ constexpr double quiet = 1;                               // s of a run without 
 constexpr double terminal_every = 0.1, plain_every = 10;  // s between lines
 constexpr const char* clear_line = "\r\x1b[K";
 
-std::string duration(double seconds) {
-  if (seconds < 90) return fixed(std::ceil(seconds), 0) + " s";
-  if (seconds < 5400) return fixed(seconds / 60, 0) + " min";
-  return fixed(seconds / 3600, 1) + " h";
-}
-
 std::string scientific(double value) {
   if (!(value > 0)) return "0";
   const double power = std::floor(std::log10(value));
@@ -31,6 +25,12 @@ std::string scientific(double value) {
 }
 
 }  // namespace
+
+std::string duration(double seconds) {
+  if (seconds < 90) return fixed(std::ceil(seconds), 0) + " s";
+  if (seconds < 5400) return fixed(seconds / 60, 0) + " min";
+  return fixed(seconds / 3600, 1) + " h";
+}
 
 std::string progress_line(const StepReport& step, double t_end, double running) {
   const double done = t_end > 0 ? step.time / t_end : 0;

@@ -10,5 +10,7 @@ namespace talus {
 std::string progress_line(const StepReport& step, double t_end, double running);
 // "done: 1 step, 1340 blocks, 0.08 s CPU"
 std::string done_line(long steps, long blocks, double cpu);
+// "45 s", "12 min", "3.5 h"
+std::string duration(double seconds);
 
 }  // namespace talus

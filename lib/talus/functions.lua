@@ -83,6 +83,10 @@ return {
     { "talus.param(name, default [, meaning])",
       "default, or what `-p name=value` says: a number, a text, true or false, as the default is. All are"
         .. " declared before the first simulation" },
+    { "talus.result(name, value [, unit])",
+      "prints a value and keeps it in run.json, as `results.<name>`, for a [study](sweeps.md) to collect: a number, a text, true or false" },
+    { "talus.range(from, to, count), talus.log_range(from, to, count)",
+      "a list of `count` numbers, evenly spaced; each a fixed factor from the one before" },
     { "talus scene.lua --restart file",
       "runs the script again and continues from the state in the file, see [saving](saving.md)" },
     { "require \"part\"",

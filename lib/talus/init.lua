@@ -42,6 +42,16 @@ for _, kind in ipairs { "polytropic", "jwl" } do
   eos[kind] = function(fields) return object.new(kind, fields) end
 end
 
+-- Studies are not needed by scenes, which start faster without them.
+function talus.study(fields) return require "talus.study"(fields) end
+function talus.latin_hypercube(fields)
+  require "talus.study.settings"
+  return object.new("latin_hypercube", fields)
+end
+for _, name in ipairs { "range", "log_range" } do
+  talus[name] = function(...) return require("talus.study.ranges")[name](...) end
+end
+
 function talus.region(fields)
   local region = object.new("region", fields)
   shape_types.try_size(region)
@@ -52,6 +62,7 @@ for name, shape in pairs(require "talus.shapes") do talus[name] = shape end
 for name, reader in pairs(require "talus.drawings") do talus[name] = reader end
 talus.simulation = require "talus.simulation"
 talus.param = require "talus.param"
+talus.result = require "talus.result"
 talus.units = closed("talus.units", require("talus.units").units)
 talus.laws = closed("talus.laws", laws)
 talus.damping = closed("talus.damping", damping)

@@ -7,6 +7,7 @@ local profile = require "talus.profile"
 local units = require "talus.units"
 local functions = require "talus.functions"
 require "talus.shape_types"
+require "talus.study.settings"
 
 local header = [[
 # Scene reference

@@ -105,6 +105,15 @@ function rules.joint_set(values, bad)
   end
 end
 
+function rules.collect(values, bad)
+  local count = (values.run and 1 or 0) + (values.history and 1 or 0) + (values.value and 1 or 0)
+  if count ~= 1 then bad(nil, "one of run, history and value", count == 0 and "none" or "more than one") end
+  for _, name in ipairs { "take", "at" } do
+    if values[name] and not values.history then bad(name, "history beside it", "none") end
+  end
+  if values.take and values.at then bad(nil, "take or at", "both") end
+end
+
 function rules.fix(values, bad)
   if values.displacement and values.velocity then bad(nil, "displacement or velocity", "both") end
   if values.spin and values.on then bad("spin", "a fixity of the whole region", "one with `on`") end
