@@ -85,8 +85,11 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     // Cohesion belongs to faces that were pressed together when the step began: a law in which it came and went with the
     // force that depends on it has no solution at a wedge.
     row.cohesion = contact.normal_force <= 0 ? 0 : strength.cohesion * contact.length;
-    const double pushed = near_part * std::min(shape_i.length, shape_j.length) +
-                          0.5 * scheme.contact_v * std::hypot(approach, sliding);
+    const double touching = near_part * std::min(shape_i.length, shape_j.length);
+    const double pushed = touching + 0.5 * scheme.contact_v * std::hypot(approach, sliding);
+    // A joint that does not slide does not let go of its shear when it opens either: that would be a law with jumps, which among
+    // bricks has no solution; so it is convex.
+    if (stick && row.gap0 <= touching) row.cohesion = std::numeric_limits<double>::infinity();
     const double widened = nearness.empty() ? 1 : std::max(nearness[contact.i], nearness[contact.j]);
     row.near = scheme.dt == 0 || contact.normal_force > 0 || row.gap0 <= widened * pushed;
   }

@@ -53,7 +53,7 @@ struct ContactRows : ContactScalars {
 
 class ContactTerms {
  public:
-  // Of what is awake. `stick`: no joint slides (the settled start). Near is what the velocities bring to within `nearness` times what a
+  // Of what is awake. `stick`: no joint that touches slides, open or not (the settled start). Near is what the velocities bring to within `nearness` times what a
   // contact's neighbours may push it in the step, taken as half of its own relative motion and near_part of the smaller
   // block's √area. Per block, the larger counts; empty: 1.
   void linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick,

@@ -169,7 +169,8 @@ void OpenClose::continue_states(const ContactProblem& problem) {
   for (size_t k = 0; k < closed_.size(); ++k) {
     const ContactState state = problem.before(k).state;
     closed_[k] = closed_[k] || state != ContactState::open;
-    stuck_[k] = closed_[k] && state != ContactState::slip;  // what closes now sticks at first
+    // What closes now sticks at first; what does not slide, open or not.
+    stuck_[k] = (closed_[k] && state != ContactState::slip) || std::isinf(problem.contacts.rows()[k].cohesion);
   }
 }
 
