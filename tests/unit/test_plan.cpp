@@ -112,6 +112,16 @@ TEST(Plan, OrdersAndHeldBlocks) {
   EXPECT_FALSE(plan_of(scene).fixities);
 }
 
+TEST(Plan, ErrorsOfStepsAreLookedAtWhereTheyAreAskedFor) {
+  Scene scene = scene_of({region("box", box)});
+  scene.time.mode = Mode::dynamic;
+  scene.time.tolerance = 1e-3;
+  EXPECT_EQ(parts(scene), (Parts{"blocks", "mode", "step error"}));
+  EXPECT_TRUE(plan_of(scene).step_error);
+  scene.time.mode = Mode::static_;
+  EXPECT_FALSE(plan_of(scene).step_error);
+}
+
 TEST(Plan, ModeNamesTheIntegrator) {
   Scene scene = scene_of({region("box", box)});
   scene.time.steps = 4;
