@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gas/eos.h"
 #include "output/report.h"
 #include "scene/plan.h"
 #include "script/plan_text.h"
@@ -105,10 +106,11 @@ TEST(Plan, RockUnderGas) {
   scene.regions[0].holes.resize(1);
   scene.regions[0].holes[0].outline = {{0.8, 0.4}, {0.8, 0.6}, {1.2, 0.6}, {1.2, 0.4}};
   scene.properties[0].breaks = true;
-  scene.properties[0].intact = {0.6, 10, 5};
+  scene.properties[0].cohesion = 10;
+  scene.properties[0].tension = 5;
   Charge& charge = scene.charges.emplace_back();
   charge.region = charge.hole = 0;
-  charge.law = eos::polytropic(100, 1.4);
+  charge.law = polytropic(100, 1.4);
   ViscousBoundary& viscous = scene.viscous_boundaries.emplace_back();
   viscous.region = 0;
   viscous.on = on_line({0, 0}, {2, 0});
