@@ -1,5 +1,5 @@
 -- Tension 1 MPa along x round a hole of radius 1 m (Kirsch 1898), in a square plate of half side 4 m. Outline and hole, a polygon of 48
--- sides, bear the tractions that this stress has on them, each side and each quarter metre its mean.
+-- sides, bear the tractions that this stress has on them, each quarter of a side and each sixteenth of a metre its mean.
 local talus = require "talus"
 local kirsch = { half = 4, far = 1e6, young = 10e9, poisson = 0.25 }
 
@@ -29,15 +29,13 @@ function kirsch.simulation(size, order, more)
   local function load(p, q)
     loads[#loads + 1] = talus.edge_load { region = "plate", on = talus.segment(p, q), traction = traction(p, q) }
   end
-  for k = 1, 48 do load(hole[k], hole[k % 48 + 1]) end
-  local corners = { {-h, -h}, {h, -h}, {h, h}, {-h, h} }
-  for side = 1, 4 do
-    local a, b, parts = corners[side], corners[side % 4 + 1], 8*h
-    for k = 1, parts do
-      local function at(s) return { a[1] + s*(b[1] - a[1]), a[2] + s*(b[2] - a[2]) } end
-      load(at((k - 1)/parts), at(k/parts))
-    end
+  local function load_all(a, b, parts)
+    local function at(s) return { a[1] + s*(b[1] - a[1]), a[2] + s*(b[2] - a[2]) } end
+    for k = 1, parts do load(at((k - 1)/parts), at(k/parts)) end
   end
+  for k = 1, 48 do load_all(hole[k], hole[k % 48 + 1], 4) end
+  local corners = { {-h, -h}, {h, -h}, {h, h}, {-h, h} }
+  for side = 1, 4 do load_all(corners[side], corners[side % 4 + 1], 32*h) end
   local fields = {
     regions = { talus.region { name = "plate", outline = talus.rect(-h, -h, h, h), holes = { talus.polygon(hole) }, order = order,
                                material = talus.material { density = 2500, young = kirsch.young, poisson = kirsch.poisson, plane = "stress" },

@@ -1,6 +1,5 @@
--- talus.refine on a closed form (parts/kirsch.lua): the true error of the stress, sampled at 6100 points, is what was asked for, and no
--- even mesh of as many blocks comes near it; and on a plate with a notch, where the error of an even mesh falls with the root of h only.
--- (15 s CPU)
+-- talus.refine on a closed form (parts/kirsch.lua): the true error of the stress, sampled at 6100 points, is what was asked for, and that
+-- of an even mesh of as many blocks is 1.7 and 2.7 times larger. (7 s CPU)
 local talus = require "talus"
 local kirsch = require "parts.kirsch"
 

@@ -1,6 +1,6 @@
 -- time.tolerance: what the errors of steps add up to is what was asked for, and falls in proportion. A bar hung from a pin, let go at
 -- 1 rad, against its equation of motion (physical pendulum, integrated to 1e-10 by Runge and Kutta's rule); and a pulse in a bonded
--- bar, against a run at a thirtieth of the least tolerance. Errors of velocity, as part of the fastest motion. (25 s CPU)
+-- bar, against a run at a thirtieth of the least tolerance. Errors of velocity, as part of the fastest motion. (15 s CPU)
 local talus = require "talus"
 local u = talus.units
 local g, amplitude, height, width, t_end = 9.81, 1.0, 1.0, 0.2, 4.0
