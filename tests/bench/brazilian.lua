@@ -1,4 +1,4 @@
--- A disc pressed on two arcs of 7 of its chords: σx at its centre against Hondros (1959), 2P/(π D t)·(sin 2a/a − 1).
+-- A disc pressed on two arcs of 7 of its chords: σx at its centre against Hondros (1959), 2P/(π D t)·(sin 2a/a − 1), P = p·D·a.
 local talus = require "talus"
 local u = talus.units
 local size, order = talus.param("size", 2*u.mm, "edge, m"), talus.param("order", 1, "of the blocks")
@@ -11,7 +11,7 @@ end
 for k = 0, chords - 1 do
   local p, q = points[k + 1], points[(k + 1) % chords + 1]
   if math.abs(p[1] + q[1])/2 < radius*math.sin(a) then
-    loads[#loads + 1] = talus.pressure { region = "disc", on = talus.segment(p, q), value = P/(2*radius*math.sin(a)) }
+    loads[#loads + 1] = talus.pressure { region = "disc", on = talus.segment(p, q), value = P/(2*radius*a) }
   end
 end
 local sim = talus.simulation {
