@@ -33,6 +33,18 @@ struct Cubic {
     y3_by_x2y = -direct / (3 * shear);
     y3_by_other = -cross / (3 * shear);
   }
+  // The ten monomials of degree three from the unknowns of x²y and xy² in u, then in v; less what turning has put in.
+  void spread(const double* c, double turning, Recovery::Fit& fit) const {
+    const double u_x2y = c[0], u_xy2 = c[1], v_x2y = c[2], v_xy2 = c[3];
+    fit.u[6] = x3_by_xy2 * u_xy2 + x3_by_other * v_x2y - turning;
+    fit.u[7] = u_x2y;
+    fit.u[8] = u_xy2;
+    fit.u[9] = y3_by_x2y * u_x2y + y3_by_other * v_xy2;
+    fit.v[6] = y3_by_x2y * v_xy2 + y3_by_other * u_x2y;
+    fit.v[7] = v_x2y;
+    fit.v[8] = v_xy2;
+    fit.v[9] = x3_by_xy2 * v_x2y + x3_by_other * u_xy2 - turning;
+  }
 };
 
 constexpr int most_unknowns = 20;
@@ -59,8 +71,11 @@ void rows_at(const Vec2& p, int terms, const Cubic* cubic, Side& u, Side& v) {
   v[u_x2y] = cubic->y3_by_other * x3;
 }
 
-// Stress at a point of a block whose material is turned by `base` and then deformed by the gradient f = R U.
-Vec3 stress_of(const Model& model, int block, const Vec2& in_block, double base, const Mat2& f) {
+}  // namespace
+
+// Stress at a point of a block whose material is turned with it and then deformed by the gradient f = R U.
+static Vec3 stress_of(const Model& model, int block, const Vec2& in_block, const Mat2& f) {
+  const double base = model.blocks[block].angle;
   const double angle = std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));  // polar rotation of a 2×2 matrix
   const Rotation r = Rotation::of(angle);
   const Vec2 x = r.back(f.col(0)), y = r.back(f.col(1));  // columns of U
@@ -70,8 +85,6 @@ Vec3 stress_of(const Model& model, int block, const Vec2& in_block, double base,
     initial += given->gradient_x * in_block.x() + given->gradient_y * in_block.y();
   return turn_stress(Rotation::of(base + angle), initial + elasticity(model.material(block)) * strain);
 }
-
-}  // namespace
 
 Recovery::Recovery(const Model& model) { update(model); }
 
@@ -202,15 +215,20 @@ Recovery::Patch Recovery::patch(const Model& model, int block, const Vec2& at) c
 }
 
 Vec3 Recovery::stress_at(const Model& model, int block, const Vec2& in_block) const {
-  if (model.shapes[block].dofs <= rigid_dofs) return model.stress(block);
-  const Vec2 at = model.reference_place(block, in_block);
+  return stress_of(model, block, fit(model, block, in_block), in_block);
+}
+
+Recovery::Fit Recovery::fit(const Model& model, int block, const Vec2& centre) const {
+  Fit fit;
+  if (model.shapes[block].dofs <= rigid_dofs) return fit;
+  const Vec2 at = model.reference_place(block, centre);
   const Patch patch = this->patch(model, block, at);
   const size_t count = patch.corners.size();
   // Half as many corners again as the polynomial needs: else one of lower degree.
   // A second-order block's own stress is no worse than that of a polynomial of second degree.
   const bool second = model.shapes[block].second_order();
   const int terms = second ? (count >= 15 ? 10 : 0) : count >= 9 ? 6 : count >= 5 ? 3 : 0;
-  if (terms == 0) return model.stress(block, in_block);
+  if (terms == 0) return fit;
   const Cubic cubic(elasticity(model.material(block)));
   const Cubic* const with_cubic = count >= 15 && !second ? &cubic : nullptr;
   const double spin = model.blocks[block].velocity[2] / model.shapes[block].length;
@@ -219,8 +237,7 @@ Vec3 Recovery::stress_at(const Model& model, int block, const Vec2& in_block) co
                                     : 0;
   const int unknowns = 2 * terms + (with_cubic ? 4 : 0);
   // The fit is made in the block's turned axes, where the equations of elasticity hold.
-  const double base = model.blocks[block].angle;
-  const Rotation turned = Rotation::of(base);
+  const Rotation turned = Rotation::of(model.blocks[block].angle);
   Normal normal = Normal::Zero(unknowns, unknowns);
   Side right = Side::Zero(unknowns), u(unknowns), v(unknowns);
   for (const int corner : patch.corners) {
@@ -235,12 +252,27 @@ Vec3 Recovery::stress_at(const Model& model, int block, const Vec2& in_block) co
     right += weight * (moved.x() * u + moved.y() * v);
   }
   const Eigen::LDLT<Normal> factor(normal);
-  if (factor.vectorD().minCoeff() < least_pivot * factor.vectorD().maxCoeff())
-    return model.stress(block, in_block);
+  if (factor.vectorD().minCoeff() < least_pivot * factor.vectorD().maxCoeff()) return fit;
   const Side c = factor.solve(right) / patch.radius;
-  Mat2 f;
-  f << 1 + c[1], c[2], c[terms + 1], 1 + c[terms + 2];
-  return stress_of(model, block, in_block, base, f);
+  fit.found = true;
+  fit.centre = centre;
+  fit.radius = patch.radius;
+  std::copy_n(c.data(), terms, fit.u.begin());
+  std::copy_n(c.data() + terms, terms, fit.v.begin());
+  if (with_cubic) cubic.spread(c.data() + 2 * terms, turning / patch.radius, fit);
+  return fit;
+}
+
+Vec3 Recovery::stress_of(const Model& model, int block, const Fit& fit, const Vec2& in_block) const {
+  if (!fit.found) return model.stress(block, in_block);
+  const Vec2 p = (in_block - fit.centre) / fit.radius;
+  const double x = p.x(), y = p.y();
+  const double by_x[10] = {0, 1, 0, 2 * x, y, 0, 3 * x * x, 2 * x * y, y * y, 0};
+  const double by_y[10] = {0, 0, 1, 0, x, 2 * y, 0, x * x, 2 * x * y, 3 * y * y};
+  Mat2 f = Mat2::Identity();
+  for (int k = 1; k < 10; ++k)
+    f += (Mat2() << fit.u[k] * by_x[k], fit.u[k] * by_y[k], fit.v[k] * by_x[k], fit.v[k] * by_y[k]).finished();
+  return talus::stress_of(model, block, in_block, f);
 }
 
 }  // namespace talus

@@ -6,6 +6,7 @@
 // reached through intact joints take part: a crack separates its faces.
 // Sources: patch recovery of Zienkiewicz & Zhu (1992), here of displacements; the equilibrium constraint is that of
 // Wiberg & Abdulwahab (1993), with div σ left constant instead of given, so that it holds in motion too.
+#include <array>
 #include <vector>
 
 #include "model/model.h"
@@ -20,6 +21,16 @@ class Recovery {
   // Stress (sxx, syy, sxy; global axes, Pa) at the material point `in_block` of `block`; the raw block stress
   // where too few corners are near (single blocks) or the block is rigid.
   Vec3 stress_at(const Model& model, int block, const Vec2& in_block) const;
+
+  // The polynomial about one material point; one serves for all the places in a block where many are asked for.
+  struct Fit {
+    bool found = false;  // else the raw stress stands
+    Vec2 centre = Vec2::Zero();  // in the block
+    double radius = 1;           // m
+    std::array<double, 10> u{}, v{};  // displacement / radius in the block's turned axes, by 1, x, y, x², xy, …, y³ in radii
+  };
+  Fit fit(const Model& model, int block, const Vec2& centre) const;
+  Vec3 stress_of(const Model& model, int block, const Fit& fit, const Vec2& in_block) const;
 
  private:
   struct Patch {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "equations/recovery.h"
+#include "equations/error_estimate.h"
 
 namespace talus {
 
@@ -136,6 +136,10 @@ std::vector<Vec3> smoothed_stresses(const FieldContext& c) {
   return stresses;
 }
 
+static double estimated_error(Context c, int block) {
+  return c.recovery ? stress_error(c.model, *c.recovery, block) : 0;
+}
+
 std::span<const Field> block_fields() {
   static const std::vector<Field> fields = {
       whole("id", "number of the block, from 0", [](Context, int i) { return i; }),
@@ -200,6 +204,9 @@ std::span<const Field> block_fields() {
              [](Context c, int i) { return principals(smoothed_stress(c, i)).first; }),
       scalar("s2_smooth", "σ_2", "Pa", "principal stress, the most compressive, smoothed",
              [](Context c, int i) { return principals(smoothed_stress(c, i)).second; }),
+      scalar("stress_error", "σ_err", "Pa",
+             "estimated error of its stress, mean in energy over the block: √(E e²/A), e² = ∫ Δσ·D⁻¹Δσ dA; 0 where nothing is smoothed",
+             [](Context c, int i) { return estimated_error(c, i); }),
   };
   return fields;
 }
@@ -232,6 +239,9 @@ std::span<const Field> joint_fields() {
              [](Context c, int i) { return joint_mean(joint(c, i), &JointPoint::normal); }),
       scalar("shear_traction", "", "Pa", "mean shear traction",
              [](Context c, int i) { return joint_mean(joint(c, i), &JointPoint::shear); }),
+      scalar("traction_jump", "", "Pa",
+             "what the stresses of its blocks disagree by in their traction on it, root mean square; 0 beside a rigid one",
+             [](Context c, int i) { return traction_jump(c.model, joint(c, i)); }),
       scalar("opening", "", "m", "mean opening",
              [](Context c, int i) { return joint_mean(joint(c, i), &JointPoint::opening); }),
       scalar("slip", "", "m", "mean sliding",

@@ -178,13 +178,17 @@ void RunOutput::finish(Simulation& simulation, const std::string& outcome, const
     parts_->write_frame(simulation);
     if (simulation.model.scene.output.picture) parts_->curves.write(simulation, parts_->dir);
   }
+  std::vector<ErrorNorm> errors;
+  if (const Recovery* recovery = simulation.model.scene.output.error ? simulation.recovery() : nullptr)
+    errors = error_of_regions(simulation.model, *recovery);
   const RunAccount account = {.command_line = parts_->command_line,
                               .outcome = outcome,
                               .wall_seconds = wall_seconds() - parts_->started,
                               .cpu_seconds = cpu_seconds(),
                               .checks = checks,
                               .restores = parts_->restores,
-                              .results = results};
+                              .results = results,
+                              .errors = errors};
   write_whole(parts_->dir + "/run.json", run_report(simulation, account));
 }
 

@@ -34,6 +34,7 @@ void add_totals(Json& json, const RunTotals& totals) {
   json.object("islands").whole("at_rest", totals.islands.at_rest).whole("single", totals.islands.single);
   json.whole("by_sweeps", totals.islands.by_sweeps).whole("with_factor", totals.islands.with_factor);
   json.whole("asleep", totals.islands.asleep).end();
+  if (totals.inaccurate > 0) json.whole("inaccurate_steps", totals.inaccurate);
   json.whole("sweeps", totals.sweeps).whole("factorisations", totals.factorisations).number("largest_residual", totals.largest_residual);
 }
 
@@ -72,6 +73,16 @@ void add_results(Json& json, const std::vector<ResultLine>& results) {
   json.end();
 }
 
+// Estimated, of stress, relative in energy norm.
+void add_errors(Json& json, const Model& model, const std::vector<ErrorNorm>& errors) {
+  if (errors.empty()) return;
+  ErrorNorm whole;
+  for (const ErrorNorm& one : errors) whole += one;
+  json.object("error").number("whole", whole.relative()).object("regions");
+  for (size_t r = 0; r < errors.size(); ++r) json.number(model.scene.regions[r].name, errors[r].relative());
+  json.end().end();
+}
+
 void add_restores(Json& json, const std::vector<RunAccount::Restore>& restores) {
   json.array("restored");
   for (const RunAccount::Restore& one : restores)
@@ -96,6 +107,7 @@ std::string run_report(const Simulation& simulation, const RunAccount& account) 
   add_sizes(json, simulation.model);
   add_totals(json, simulation.totals);
   add_energy(json, simulation);
+  add_errors(json, simulation.model, account.errors);
   add_seconds(json, simulation.totals, account);
   add_checks(json, account.checks);
   add_results(json, account.results);

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "equations/error_estimate.h"
 #include "step/simulation.h"
 
 namespace talus {
@@ -25,6 +26,7 @@ struct RunAccount {
   };
   std::vector<Restore> restores{};
   std::vector<ResultLine> results{};
+  std::vector<ErrorNorm> errors{};  // per region, where they were asked for
 };
 std::string run_report(const Simulation& simulation, const RunAccount& account);
 

@@ -240,6 +240,7 @@ void write_blocks_vtp(const std::string& path, const FieldContext& context, cons
     const std::vector<Vec3> smoothed = context.smoothed ? *context.smoothed : smoothed_stresses(context);
     for (const char* name : smoothed_arrays)
       add_field(cells, {model, context.recovery, &smoothed}, *find_field(block_fields(), name), blocks);
+    if (model.scene.output.error) add_field(cells, context, *find_field(block_fields(), "stress_error"), blocks);
   }
   for (const UserArray& array : arrays)
     add_array<vtkDoubleArray>(cells, array.name, 1, blocks, [&](int b, double* out) { *out = array.values[b]; });
@@ -267,6 +268,10 @@ void write_joints_vtp(const std::string& path, const Model& model) {
   add_member<vtkDoubleArray>(data, "opening", lines, &Line::opening);
   add_member<vtkDoubleArray>(data, "slip", lines, &Line::slip);
   add_member<vtkDoubleArray>(data, "utilisation", lines, &Line::utilisation);
+  if (model.scene.output.error)
+    add_array<vtkDoubleArray>(data->GetCellData(), "traction_jump", 1, static_cast<vtkIdType>(lines.size()), [&](int i, double* out) {
+      *out = lines[i].kind == 0 ? value_of(context, joint_fields(), "traction_jump", lines[i].id - 1) : 0;
+    });
   add_names(data->GetFieldData(), "kind_names", line_kinds);
   add_names(data->GetFieldData(), "state_names", line_states);
   add_names(data->GetFieldData(), "property_names", names_of(model.scene.properties));

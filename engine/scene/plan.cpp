@@ -72,6 +72,8 @@ Plan make_plan(const Model& model) {
   line(true, "mode", plan.dynamic ? (scene.numerics.integrator == Integrator::theta ? "dynamic, velocity theta-scheme"
                                                                                    : "dynamic, Newmark (1/2, 1)")
                                   : "static equilibrium, " + count_text(size_t(scene.time.steps), "load step"));
+  plan.step_error = plan.dynamic && scene.time.tolerance > 0;
+  line(plan.step_error, "step error", "each step again as two halves");
   const auto exact = std::count_if(model.joints.begin(), model.joints.end(),
                                    [](const Joint& j) { return j.bonded && j.kind == BondKind::exact; });
   const auto bonds = std::count_if(model.joints.begin(), model.joints.end(), bonded);

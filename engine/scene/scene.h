@@ -229,6 +229,7 @@ struct TimeControl {
   double dt = 0;                // s; 0: automatic from displacement_ratio
   double dt_min = 0;            // s; 0: 1e-6 of the first step
   double dt_max = 0;            // s; 0: no bound but t_end/10
+  double tolerance = 0;         // of the fastest motion, what errors of steps may add up to over the run; 0: not looked at
   double displacement_ratio = 0.005;  // largest displacement a step / half the height of the scene
   bool settled_start = false;   // dynamic: begin from static equilibrium, with joints that do not slide where friction
                                 // cannot hold
@@ -269,6 +270,7 @@ struct Output {
   std::string dir;           // empty: write nothing
   double every = 0;          // s between output times; 0: first and last only
   bool vtk = true;
+  bool error = false;        // the estimated error of stress, into VTK and run.json
   bool picture = true;
   std::string picture_field = "s1";  // any block field
   double picture_scale = 0;  // displacement magnification; 0: 1

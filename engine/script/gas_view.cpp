@@ -32,7 +32,7 @@ void push_reached(lua_State* L, const Model& model, const Reach& reach) {
 }  // namespace
 
 int push_gas_events(lua_State* L, const Simulation& simulation) {
-  const auto& events = simulation.gas()->events();
+  const auto& events = simulation.gas_events();
   lua_createtable(L, int(events.size()), 0);
   for (size_t k = 0; k < events.size(); ++k) {
     const GasEvent& e = events[k];

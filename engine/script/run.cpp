@@ -93,7 +93,7 @@ void Run::start_output(const RunSettings& settings) {
     call_handler(*handlers_.on_fracture, [&s](lua_State* L) { return push_fractures(L, s); });
   });
   after_steps(handlers_.on_gas, [this](Simulation& s) {
-    if (!s.gas() || s.gas()->events().empty()) return;
+    if (s.gas_events().empty()) return;
     call_handler(*handlers_.on_gas, [&s](lua_State* L) { return push_gas_events(L, s); });
   });
   after_steps(handlers_.on_step, [this](Simulation&) { call_handler(*handlers_.on_step); });

@@ -244,6 +244,7 @@ TimeControl read_time(const TableReader& t) {
   t.read("dt", c.dt);
   t.read("dt_min", c.dt_min);
   t.read("dt_max", c.dt_max);
+  t.read("tolerance", c.tolerance);
   t.read("displacement_ratio", c.displacement_ratio);
   t.read("settled_start", c.settled_start);
   t.read("max_steps", c.max_steps);
@@ -288,6 +289,7 @@ Output read_output(const TableReader& t) {
   t.read("dir", o.dir);
   t.read("every", o.every);
   t.read("vtk", o.vtk);
+  t.read("error", o.error);
   t.read("picture", o.picture);
   t.read("picture_field", o.picture_field);
   t.read("picture_scale", o.picture_scale);

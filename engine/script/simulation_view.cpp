@@ -1,8 +1,10 @@
 #include "script/simulation_view.h"
 
+#include <cmath>
 #include <new>
 #include <vector>
 
+#include "equations/error_estimate.h"
 #include "script/laws.h"
 #include "script/lua_error.h"
 #include "script/nearest.h"
@@ -45,6 +47,7 @@ void push_status(lua_State* L, const StepReport& report) {
   set_integer(L, "closed_contacts", report.closed_contacts);
   set_integer(L, "failures", report.failures);
   set_number(L, "utilisation", report.utilisation);
+  set_number(L, "error", report.error);
 }
 
 void push_energy(lua_State* L, Simulation& simulation) {
@@ -77,12 +80,30 @@ void push_totals(lua_State* L, const Simulation& simulation) {
   set_integer(L, "cuts", totals.cuts);
   set_integer(L, "factorisations", totals.factorisations);
   set_integer(L, "failures", totals.failures);
+  set_integer(L, "inaccurate", totals.inaccurate);
   set_number(L, "largest_utilisation", totals.largest_utilisation);
   set_integer(L, "largest_iterations", totals.largest_iterations);
   set_number(L, "largest_residual", totals.largest_residual);
   lua_newtable(L);
   for (const auto& part : totals.parts) set_number(L, part.name.c_str(), part.seconds);
   lua_setfield(L, -2, "seconds");
+}
+
+// Estimated error of stress; nothing where no blocks are bonded, or there is no recovery.
+void push_error(lua_State* L, Simulation& simulation) {
+  const Recovery* recovery = simulation.recovery();
+  if (!recovery) return lua_pushnil(L);
+  ErrorNorm whole;
+  const std::vector<ErrorNorm> regions = error_of_regions(simulation.model, *recovery);
+  lua_createtable(L, 0, 3);
+  lua_createtable(L, 0, int(regions.size()));
+  for (size_t r = 0; r < regions.size(); ++r) {
+    whole += regions[r];
+    set_number(L, simulation.model.scene.regions[r].name.c_str(), regions[r].relative());
+  }
+  lua_setfield(L, -2, "regions");
+  set_number(L, "relative", whole.relative());
+  set_number(L, "norm", std::sqrt(whole.error));
 }
 
 // How high rock has flown; nothing where none has risen.
@@ -105,6 +126,7 @@ const Property properties[] = {
     {"finished", [](lua_State* L, const Handle& r) { lua_pushboolean(L, r->simulation.finished()); }},
     {"last", [](lua_State* L, const Handle& r) { push_status(L, r->simulation.last); }},
     {"energy", [](lua_State* L, const Handle& r) { push_energy(L, r->simulation); }},
+    {"error", [](lua_State* L, const Handle& r) { push_error(L, r->simulation); }},
     {"totals", [](lua_State* L, const Handle& r) { push_totals(L, r->simulation); }},
     {"state",
      [](lua_State* L, const Handle& r) {

@@ -6,7 +6,9 @@
 #include "equations/recovery.h"
 #include "fracture/snap_back.h"
 #include "model/registry.h"
+#include "gas/gas.h"
 #include "scene/build.h"
+#include "step/half_steps.h"
 #include "step/part_timer.h"
 #include "step/peaks.h"
 #include "step/step.h"
@@ -16,7 +18,7 @@ namespace talus {
 void visit_state(RunTotals& totals, StateVisitor& v) {
   // parts: CPU time is the process's.
   [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, sweeps, steps_at_rest, steps_by_sweeps,
-                          islands, failures, largest_iterations, largest_utilisation, largest_residual, parts] = totals;
+                          islands, failures, inaccurate, largest_iterations, largest_utilisation, largest_residual, parts] = totals;
   v("steps", steps);
   v("iterations", iterations);
   v("cuts", cuts);
@@ -27,6 +29,7 @@ void visit_state(RunTotals& totals, StateVisitor& v) {
   for (long* count : {&islands.at_rest, &islands.single, &islands.by_sweeps, &islands.with_factor, &islands.asleep})
     v("islands", *count);
   v("failures", failures);
+  v("inaccurate", inaccurate);
   v("largest_iterations", largest_iterations);
   v("largest_utilisation", largest_utilisation);
   v("largest_residual", largest_residual);
@@ -34,7 +37,7 @@ void visit_state(RunTotals& totals, StateVisitor& v) {
 
 void visit_state(StepReport& report, StateVisitor& v) {
   auto& [step, time, dt, iterations, cuts, factorisations, residual, displacement, closed_contacts, failures, utilisation,
-         collapsed] = report;
+         error, collapsed] = report;
   v("step", step);
   v("time", time);
   v("dt", dt);
@@ -46,6 +49,7 @@ void visit_state(StepReport& report, StateVisitor& v) {
   v("closed_contacts", closed_contacts);
   v("failures", failures);
   v("utilisation", utilisation);
+  v("error", error);
   v("collapsed", collapsed);
 }
 
@@ -64,6 +68,7 @@ Simulation::Simulation(Scene scene) {
   if (const std::string note = check_snap_back(model); !note.empty()) notes.push_back(note);
   fingerprint_ = fingerprint(model);
   stepper_ = std::make_unique<Stepper>(model, plan, totals, ledger);
+  if (plan.step_error) half_steps_ = std::make_unique<HalfSteps>(model, plan, *stepper_, totals, ledger);
   stepper_->begin_ledger();
   totals.seconds("build") = cpu_seconds() - start;
 }
@@ -72,7 +77,9 @@ Simulation::~Simulation() = default;
 
 StepReport Simulation::step() {
   begin();
-  last = plan.dynamic ? stepper_->dynamic_step() : stepper_->load_step(next_load(), totals.steps == 0);
+  last = half_steps_ ? half_steps_->step()
+         : plan.dynamic ? stepper_->dynamic_step()
+                        : stepper_->load_step(next_load(), totals.steps == 0);
   ++totals.steps;
   totals.failures += last.failures;
   totals.largest_utilisation = std::max(totals.largest_utilisation, last.utilisation);
@@ -125,6 +132,7 @@ void Simulation::settle() {
 void Simulation::visit_state(StateVisitor& visitor) {
   talus::visit_state(model, visitor);
   visitor("stepper", *stepper_);
+  if (half_steps_) visitor("half_steps", *half_steps_);
   visitor("totals", totals);
   visitor("last", last);
   visitor("ledger", ledger);
@@ -180,7 +188,12 @@ bool Simulation::finished() const {
   return totals.steps > 0 && model.time >= time.t_end && !stepper_->bonds_due();
 }
 
-const std::vector<int>& Simulation::fractures() const { return stepper_->fractures(); }
+const std::vector<int>& Simulation::fractures() const { return half_steps_ ? half_steps_->fractures() : stepper_->fractures(); }
+
+const std::vector<GasEvent>& Simulation::gas_events() const {
+  static const std::vector<GasEvent> none;
+  return half_steps_ ? half_steps_->gas_events() : gas() ? gas()->events() : none;
+}
 
 Energies Simulation::energies() const { return stepper_->energies(); }
 

@@ -13,8 +13,10 @@
 namespace talus {
 
 class Stepper;
+class HalfSteps;
 class Recovery;
 class Gas;
+struct GasEvent;
 
 struct StepReport {
   long step = 0;         // accepted steps so far
@@ -27,6 +29,7 @@ struct StepReport {
   int closed_contacts = 0;
   int failures = 0;          // bonds that failed in this step
   double utilisation = 0;    // highest of the bonds, before any failed
+  double error = 0;          // of the step, estimated, as part of the fastest motion; 0 where it is not looked at
   bool collapsed = false;    // static: no equilibrium at this load; nothing was moved
 };
 
@@ -46,6 +49,7 @@ struct RunTotals {
   long steps_by_sweeps = 0;  // solved without a factor
   IslandCounts islands;      // summed over steps
   long failures = 0;         // of bonds
+  long inaccurate = 0;       // steps whose error was beyond time.tolerance at the least step there is
   int largest_iterations = 0;
   double largest_utilisation = 0;  // of a bond, when it was judged: how far strengths were passed
   double largest_residual = 0;
@@ -75,6 +79,7 @@ class Simulation {
 
   // Joints that failed in the last step.
   const std::vector<int>& fractures() const;
+  const std::vector<GasEvent>& gas_events() const;  // what charges did in the last step
   const Gas* gas() const;  // null where there are no charges
 
   // The state between two steps. restore() continues from it bit by bit; it throws StateError and leaves
@@ -107,6 +112,7 @@ class Simulation {
 
   Fingerprint fingerprint_;
   std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<HalfSteps> half_steps_;  // where the errors of steps are looked at
   std::unique_ptr<Recovery> recovery_;
   long recovered_step_ = -1;
   double next_load() const;  // s, to which the next load step goes

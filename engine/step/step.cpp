@@ -123,12 +123,12 @@ double Stepper::next_dt() const {
   return until > step_size_.least() ? std::min(dt, until) : dt;
 }
 
-StepReport Stepper::dynamic_step() {
+StepReport Stepper::dynamic_step(double most) {
   const Numerics& numerics = model_.scene.numerics;
   StepReport report;
   if (fracture_) fracture_->clear_events();
   if (gas_) gas_->detonate();
-  for (double dt = next_dt();; dt = next_dt(), ++report.cuts) {
+  for (double dt = std::min(next_dt(), most);; dt = std::min(next_dt(), most), ++report.cuts) {
     effort_ = 0;
     const Scheme scheme = this->scheme(dt);
     if (numerics.sleeping) sleep_.wake(model_, scheme);
@@ -199,7 +199,7 @@ StepReport Stepper::dynamic_step() {
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
     if (gas_) gas_->end_step(dt);
-    step_size_.accepted(dt, report.displacement, fracture_ ? effort_ : result.iterations);
+    if (dt < most) step_size_.accepted(dt, report.displacement, fracture_ ? effort_ : result.iterations);
     report.dt = dt;
     return report;
   }
@@ -235,9 +235,13 @@ void Stepper::visit_state(StateVisitor& visitor) {
 
 void Stepper::restored() {
   revision_ = -1;
+  if (!model_.scene.numerics.sleeping) model_.changed();  // the state may be of a run that let things sleep
+  rewound();
+}
+
+void Stepper::rewound() {
   search_.forget();
   sleep_.restored();
-  if (!model_.scene.numerics.sleeping) model_.changed();  // the state may be of a run that let things sleep
   if (fracture_) fracture_->restored();
   if (gas_) gas_->restored();
 }

@@ -1,6 +1,7 @@
 #pragma once
 // One step of the simulation, and equilibrium.
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,7 +29,8 @@ class Stepper {
 
   // One accepted step from model.time. Throws RunError when none can be accepted at the least time step; the model
   // is then as it was.
-  StepReport dynamic_step();
+  // `most`: s, no step is longer.
+  StepReport dynamic_step(double most = std::numeric_limits<double>::infinity());
   // Static (step/load_step.cpp): equilibrium under the loads of a later time, `to` at most, or under the same load after
   // the bonds that the last step overstressed have failed. `first`: nothing was loaded before.
   StepReport load_step(double to, bool first);
@@ -52,6 +54,7 @@ class Stepper {
 
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
   void restored();                          // the model has been put back: what was derived from it is stale
+  void rewound();                           // to the start of a step, by the same run: nobody has changed materials since
 
  private:
   Scheme scheme(double dt) const;

@@ -178,7 +178,7 @@ local function add_probes(assembly, links)
 end
 
 local function time_of(time)
-  local flat = flatten.fields(time, { "mode", "t_end", "steps", "dt", "dt_min", "dt_max", "displacement_ratio",
+  local flat = flatten.fields(time, { "mode", "t_end", "steps", "dt", "dt_min", "dt_max", "tolerance", "displacement_ratio",
     "max_steps" })
   flat.settled_start = get(time, "start") == "settled"
   return flat
@@ -207,7 +207,7 @@ end
 
 local function output_of(output, simulation)
   if not output then return { place = object.place(simulation) } end
-  local flat = flatten.fields(output, { "dir", "every", "vtk" })
+  local flat = flatten.fields(output, { "dir", "every", "vtk", "error" })
   picture_of(flat, get(output, "picture"))
   return flat
 end

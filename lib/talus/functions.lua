@@ -23,6 +23,8 @@ return {
     { "sim.finished, sim.last", "whether the run is finished; status of the last step" },
     { "sim.energy", "the energy ledger now: {kinetic, strain, contact, gravity, total, external, boundary, friction, damping,"
         .. " viscous, fracture, numerical, unexplained, scale} (J per metre), those that the scene can have; see Energies" },
+    { "sim.error", "the estimated error of stress now, in energy norm: {relative (to the stress that has come since the start), regions (the"
+      .. " same by name), norm (√(J/m))}; computed when it is read. nil where no blocks are bonded or `numerics.recovery` is off" },
     { "sim.totals",
       "{steps, steps_at_rest (nothing moved, nothing was solved), steps_by_sweeps (without a factor), islands {at_rest, single"
         .. " (a block alone), by_sweeps, with_factor, asleep}, iterations, sweeps (over the contacts), cuts, factorisations, largest_iterations, largest_residual, seconds}; seconds: CPU time by part" },

@@ -72,6 +72,7 @@ talus.explosives = closed("talus.explosives", require("talus.explosives").known)
 talus.blast = closed("talus.blast", require "talus.blast")
 talus.lab = closed("talus.lab", { compression = require("talus.lab").compression, brazilian = require("talus.lab").brazilian })
 talus.calibrate = require "talus.calibrate"
+talus.refine = require "talus.refine"
 talus.check = closed("talus.check", require "talus.check")
 talus.profile = closed("talus.profile", require("talus.profile").presets)
 

@@ -151,11 +151,12 @@ end
 
 function rules.time(values, bad)
   if values.mode == "static" then
-    for _, name in ipairs { "dt", "dt_min", "dt_max" } do
+    for _, name in ipairs { "dt", "dt_min", "dt_max", "tolerance" } do
       if values[name] then bad(name, 'mode = "dynamic"', "static: steps divide the load, not time") end
     end
     return
   end
+  if values.dt and values.tolerance then bad("dt", "dt_max, as `tolerance` chooses the step", "a fixed step") end
   if not values.t_end or values.t_end == 0 then
     bad("t_end", "a number > 0 (s) in dynamic mode", values.t_end or "nothing")
   end

@@ -6,7 +6,7 @@
 --           default_doc: what happens without the field, where that is no plain value
 local schema = { kinds = {}, order = {} }
 
-for _, part in ipairs { "materials", "shapes", "regions", "drawings", "boundaries", "charges", "run", "results", "lab", "study" } do
+for _, part in ipairs { "materials", "shapes", "regions", "drawings", "boundaries", "charges", "run", "results", "lab", "refine", "study" } do
   for _, entry in ipairs(require("talus.schema." .. part)) do
     entry.by_name = {}
     for _, field in ipairs(entry.fields) do

@@ -2,15 +2,15 @@
 
 #include <cmath>
 
-#include "assembled.h"
-#include "equations/linear_solver.h"
 #include "equations/recovery.h"
-#include "small_scene.h"
+#include "exact_plate.h"
 
 namespace talus {
 namespace {
 
-using test::Assembled;
+using test::each_point;
+
+constexpr double small = test::small_motion;
 
 // The manufactured displacement u = (sin(2x + y), cos(x - 2y)) and what belongs to it.
 Vec2 exact(const Vec2& p) { return {std::sin(2 * p.x() + p.y()), std::cos(p.x() - 2 * p.y())}; }
@@ -24,20 +24,6 @@ Vec2 body_force(const Mat3& elastic, const Vec2& p) {  // -div σ
   return -Vec2(by_x[0] + by_y[2], by_x[2] + by_y[1]);
 }
 
-constexpr double gauss5[] = {0.04691007703066802, 0.23076534494715845, 0.5, 0.76923465505284155, 0.95308992296933198};
-constexpr double weight5[] = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324, 0.11846344252809454};
-
-// f(material point, weight) over a triangular block, exact for degree 8 (a square folded into the triangle).
-template <class F>
-void each_point(const Model& model, int block, F f) {
-  const Vec2* v = &model.reference_vertex[size_t(model.shapes[size_t(block)].vertex_begin)];
-  for (int i = 0; i < 5; ++i)
-    for (int j = 0; j < 5; ++j) {
-      const double a = gauss5[i], b = gauss5[j] * (1 - a);
-      f(Vec2(v[0] + a * (v[1] - v[0]) + b * (v[2] - v[0])), weight5[i] * weight5[j] * (1 - a) * 2 * model.shapes[size_t(block)].area);
-    }
-}
-
 struct Errors {
   double displacement, stress, recovered;
   int blocks;
@@ -47,50 +33,9 @@ struct Errors {
 Errors solve(BlockOrder order, double size) {
   Scene scene = test::scene_of({test::meshed("plate", {{0, 0}, {1.1, 0.1}, {1, 1}, {-0.1, 0.9}}, size)});
   scene.regions[0].order = order;
-  Model model = build(scene);
-  const Mat3 elastic = elasticity(model.material(0));
-  Assembled all(model);
-  std::vector<char> bonded(model.reference_vertex.size(), 0);
-  for (const Joint& joint : model.joints)
-    bonded[size_t(model.shapes[size_t(joint.a)].vertex_begin + joint.edge_a)] =
-        bonded[size_t(model.shapes[size_t(joint.b)].vertex_begin + joint.edge_b)] = 1;
-  const auto add = [&](int block, const Vec2& in_block, const Vec2& force) {
-    add_force(model, all.poses, block, {in_block, model.reference_place(block, in_block)}, force, all.system);
-  };
-  for (int b = 0; b < int(model.shapes.size()); ++b) {
-    each_point(model, b, [&](const Vec2& x, double w) { add(b, x, w * body_force(elastic, model.reference_place(b, x))); });
-    for (int v = 0; v < model.vertex_count(b); ++v) {
-      const int begin = model.shapes[size_t(b)].vertex_begin;
-      if (bonded[size_t(begin + v)]) continue;
-      const Vec2 p = model.reference_vertex[size_t(begin + v)],
-                 q = model.reference_vertex[size_t(begin + model.next_vertex(b, v))], n = -perp(q - p);  // with its length
-      for (int k = 0; k < 5; ++k) {
-        const Vec2 x = (1 - gauss5[k]) * p + gauss5[k] * q;
-        const Vec3 s = exact_stress(elastic, model.reference_place(b, x));
-        add(b, x, weight5[k] * Vec2(s[0] * n.x() + s[2] * n.y(), s[2] * n.x() + s[1] * n.y()));
-      }
-    }
-  }
-  Eigen::MatrixXd pin = Eigen::MatrixXd::Zero(max_dofs, max_dofs);
-  pin.diagonal().head<3>().setConstant(1000);
-  all.system.matrix.add(all.system.matrix.slot(0, 0), false, pin);
-  LinearSolver solver;
-  solver.analyse(all.system.matrix);
-  EXPECT_EQ(solver.factor(all.system.matrix), -1);
-  Vector d;
-  solver.solve(all.system.force, d);
-
-  constexpr double small = 1e-8;  // what the geometry makes of finite displacements is left out
-  for (size_t b = 0; b < model.shapes.size(); ++b) {
-    const BlockShape& s = model.shapes[b];
-    BlockState& state = model.blocks[b];
-    state.shift = small * d.segment<2>(s.dof_begin);
-    state.centroid = s.reference_centroid + state.shift;
-    state.angle = small * d[s.dof_begin + 2] / s.length;
-    state.strain = small * d.segment<3>(s.dof_begin + 3) / s.length;
-    for (int k = first_order_dofs; k < s.dofs; ++k) state.bend[size_t(k - first_order_dofs)] = small * d[s.dof_begin + k];
-  }
-  model.place_vertices();
+  const Mat3 elastic = elasticity(build(scene).material(0));
+  const Model model = test::solved_plate(scene, {[&](const Vec2& p) { return exact_stress(elastic, p); },
+                                                 [&](const Vec2& p) { return body_force(elastic, p); }});
   const Recovery recovery(model);
   Errors errors{0, 0, 0, int(model.shapes.size())};
   Mat3 modes = Mat3::Zero();

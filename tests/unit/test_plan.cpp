@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gas/eos.h"
 #include "output/report.h"
 #include "scene/plan.h"
 #include "script/plan_text.h"
@@ -98,6 +99,31 @@ TEST(Plan, ACrackHasContacts) {
   EXPECT_TRUE(plan_of(scene).bonds);
 }
 
+// Rock that a charge breaks has all that there is beside loads and supports, and loses each part with what it comes from.
+TEST(Plan, RockUnderGas) {
+  Scene scene = scene_of({test::meshed("rock", box, 0.5)});
+  scene.time.mode = Mode::dynamic;
+  scene.regions[0].holes.resize(1);
+  scene.regions[0].holes[0].outline = {{0.8, 0.4}, {0.8, 0.6}, {1.2, 0.6}, {1.2, 0.4}};
+  scene.properties[0].breaks = true;
+  scene.properties[0].cohesion = 10;
+  scene.properties[0].tension = 5;
+  Charge& charge = scene.charges.emplace_back();
+  charge.region = charge.hole = 0;
+  charge.law = polytropic(100, 1.4);
+  ViscousBoundary& viscous = scene.viscous_boundaries.emplace_back();
+  viscous.region = 0;
+  viscous.on = on_line({0, 0}, {2, 0});
+  EXPECT_EQ(parts(scene), (Parts{"blocks", "mode", "bonds", "fracture", "gas", "contacts", "viscous boundaries", "stress recovery"}));
+  EXPECT_EQ(line(scene, "gas"), "1 charge");
+  scene.charges.clear();
+  EXPECT_EQ(parts(scene), (Parts{"blocks", "mode", "bonds", "fracture", "contacts", "viscous boundaries", "stress recovery"}));
+  scene.properties[0].breaks = false;
+  EXPECT_EQ(parts(scene), (Parts{"blocks", "mode", "bonds", "viscous boundaries", "stress recovery"}));
+  scene.viscous_boundaries.clear();
+  EXPECT_EQ(parts(scene), (Parts{"blocks", "mode", "bonds", "stress recovery"}));
+}
+
 TEST(Plan, OrdersAndHeldBlocks) {
   Scene scene =
       scene_of({region("a", box), region("b", rectangle(3, 0, 1, 1)), region("c", rectangle(5, 0, 1, 1))});
@@ -110,6 +136,16 @@ TEST(Plan, OrdersAndHeldBlocks) {
   scene.fixities = {test::fix(2, {})};  // the whole region
   EXPECT_TRUE(plan_of(scene).held_blocks);
   EXPECT_FALSE(plan_of(scene).fixities);
+}
+
+TEST(Plan, ErrorsOfStepsAreLookedAtWhereTheyAreAskedFor) {
+  Scene scene = scene_of({region("box", box)});
+  scene.time.mode = Mode::dynamic;
+  scene.time.tolerance = 1e-3;
+  EXPECT_EQ(parts(scene), (Parts{"blocks", "mode", "step error"}));
+  EXPECT_TRUE(plan_of(scene).step_error);
+  scene.time.mode = Mode::static_;
+  EXPECT_FALSE(plan_of(scene).step_error);
 }
 
 TEST(Plan, ModeNamesTheIntegrator) {

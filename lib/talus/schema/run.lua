@@ -66,6 +66,11 @@ return {
       { name = "dt_min", type = "number", above = 0, unit = "s", default_doc = "1e-6 of the first step",
         doc = "least step; below it the run stops with an error" },
       { name = "dt_max", type = "number", above = 0, unit = "s", default_doc = "t_end/10", doc = "largest step" },
+      { name = "tolerance", type = "number", above = 0, most = 0.1, default_doc = "errors of steps are not looked at",
+        doc = "in motion: steps are as long as their estimated error allows, each taken again as two halves (theory, § 2); what the errors"
+            .. " of all steps together may come to at t_end, as part of the fastest motion so far. Three solutions a step. Where something"
+            .. " jumps, as in an impact, steps become no shorter for it than dt_min, 1e-5 of t_end if that is not given;"
+            .. " `sim.totals.inaccurate` counts them" },
       { name = "displacement_ratio", type = "number", above = 0, most = 0.1, default = 0.005,
         doc = "largest displacement a step / half the height of the scene", source = "Shi 1988" },
       { name = "start", type = "enum", values = { "rest", "settled" }, default = "rest",
@@ -139,6 +144,9 @@ return {
       { name = "every", type = "number", above = 0, unit = "s", default_doc = "first and last only",
         doc = "time between outputs" },
       { name = "vtk", type = "boolean", default = true, doc = "VTK series of blocks and joints" },
+      { name = "error", type = "boolean", default = false,
+        doc = "estimates the error of stress where blocks are bonded: `stress_error` of blocks and `traction_jump` of joints in VTK, and"
+            .. " that of each region at the end in run.json. `sim.error` gives it at any time; otherwise it is not computed" },
       { name = "picture", type = "any",
         of = { { type = "boolean" }, { type = "string" }, picture },
         default = true, doc = "SVG pictures: true, false, the name of a field of blocks or joints (of which a block shows its largest), or a `picture`"

@@ -1,0 +1,145 @@
+#include "step/half_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "equations/block_terms.h"
+#include "model/registry.h"
+#include "model/saved_state.h"
+
+namespace talus {
+
+namespace {
+
+constexpr double safety = 0.8, least_change = 0.2, most_change = 1.5;  // of the next step
+constexpr double most_again = 0.9;                                   // of a step that is taken again
+constexpr double early_share = 0.2;
+constexpr double least_part = 1e-5;  // of the run, the least step that error asks for: what jumps in no step is smooth in
+
+// J/m, of the motion by which `other` differs from the model's: an energy, so that all unknowns count as their mass does.
+double kinetic_difference(const Model& model, const std::vector<BlockState>& other) {
+  double sum = 0;
+  for (int b = 0; b < int(model.blocks.size()); ++b) {
+    const BlockShape& shape = model.shapes[b];
+    if (shape.dofs == 0) continue;
+    with_size(shape.second_order(), [&](auto n) {
+      const ColumnOf<n> rates = Eigen::Map<const ColumnOf<n>>(model.blocks[b].velocity.data()) -
+                                Eigen::Map<const ColumnOf<n>>(other[b].velocity.data());
+      sum += rates.dot(mass_matrix_of<n>(model, b) * rates) / 2;
+    });
+  }
+  return sum;
+}
+
+double kinetic(const Model& model) { return kinetic_difference(model, std::vector<BlockState>(model.blocks.size())); }
+
+}  // namespace
+
+HalfSteps::HalfSteps(Model& model, const Plan& plan, Stepper& stepper, RunTotals& totals, Ledger& ledger)
+    : model_(model), stepper_(stepper), totals_(totals), ledger_(ledger), dt_(std::numeric_limits<double>::infinity()) {
+  const Scene& scene = model.scene;
+  tolerance_ = scene.time.tolerance;
+  t_end_ = scene.time.t_end;
+  least_ = scene.time.dt_min > 0 ? scene.time.dt_min : least_part * t_end_;
+  // Contacts press at the end of a step: first order.
+  const bool midpoint = scene.numerics.integrator == Integrator::theta && scene.numerics.theta == 0.5;
+  order_ = midpoint && !plan.contacts ? 2 : 1;
+}
+
+StepReport HalfSteps::step() {
+  const std::string before = state();
+  const double start = model_.time;
+  fastest_ = std::max(fastest_, kinetic(model_));
+  for (int again = 0;; ++again) {
+    const double dt = whole_step().dt, end = model_.time;
+    const std::vector<BlockState> whole = model_.blocks;
+    put_back(before);
+    StepReport report;
+    try {
+      report = halves(dt, end);
+    } catch (...) {
+      put_back(before);
+      throw;
+    }
+    report.error = error_of(whole);
+    const double allowed = allowed_error(dt, end);
+    const double change = report.error > 0 ? std::pow(safety * allowed / report.error, 1.0 / order_) : most_change;
+    if (report.error <= allowed || dt <= least_) {
+      if (report.error > allowed) ++totals_.inaccurate;
+      const double next = std::max(dt * std::clamp(change, least_change, most_change), least_);
+      dt_ = dt < dt_ && change > 1 && std::isfinite(dt_) ? std::max(dt_, next) : next;  // a step cut short for another reason says less
+      report.cuts += again;
+      report.dt = model_.time - start;
+      return report;
+    }
+    dt_ = std::max(dt * std::clamp(change, least_change, most_again), least_);
+    put_back(before);
+    ++totals_.cuts;
+  }
+}
+
+// Each second may add its share to the whole run's error. What has just begun to move is slow beside what is to come: so that its
+// error may be larger beside it, by a share of the time since the start.
+double HalfSteps::allowed_error(double dt, double end) const {
+  return tolerance_ * dt * std::max(1 / t_end_, early_share / end);
+}
+
+StepReport HalfSteps::whole_step() { return stepper_.dynamic_step(dt_); }
+
+// From the start of a step of `dt` to its end, in two, or in more where one of them is cut.
+StepReport HalfSteps::halves(double dt, double end) {
+  StepReport sum;
+  fractures_.clear();
+  gas_events_.clear();
+  take_half(dt / 2, sum);
+  while (end - model_.time > 1e-9 * dt) take_half(std::min(dt / 2, end - model_.time), sum);
+  model_.time = end;  // to the last bit: output waits for it
+  return sum;
+}
+
+void HalfSteps::take_half(double dt, StepReport& sum) {
+  const StepReport half = stepper_.dynamic_step(dt);
+  sum.iterations += half.iterations;
+  sum.cuts += half.cuts;
+  sum.residual = std::max(sum.residual, half.residual);
+  sum.displacement += half.displacement;
+  sum.failures += half.failures;
+  sum.utilisation = std::max(sum.utilisation, half.utilisation);
+  fractures_.insert(fractures_.end(), stepper_.fractures().begin(), stepper_.fractures().end());
+  if (!stepper_.gas()) return;
+  const auto& events = stepper_.gas()->events();
+  gas_events_.insert(gas_events_.end(), events.begin(), events.end());
+}
+
+// Of the halves: the root of the kinetic energy of the difference over the most there has been. A step's error goes with
+// Δt^(order + 1), so that two halves have 2^-order of a whole one's, and 1/(2^order - 1) of the difference.
+double HalfSteps::error_of(const std::vector<BlockState>& whole) {
+  fastest_ = std::max(fastest_, kinetic(model_));
+  const double difference = kinetic_difference(model_, whole);
+  return fastest_ > 0 ? std::sqrt(difference / fastest_) / (std::pow(2, order_) - 1) : 0;
+}
+
+std::string HalfSteps::state() {
+  StateWriter writer;
+  talus::visit_state(model_, writer);
+  writer("stepper", stepper_);
+  writer("ledger", ledger_);
+  return std::move(writer.bytes);
+}
+
+void HalfSteps::put_back(const std::string& state) {
+  StateReader reader(state);
+  talus::visit_state(model_, reader);
+  reader("stepper", stepper_);
+  reader("ledger", ledger_);
+  model_.place_vertices();
+  stepper_.rewound();
+}
+
+void HalfSteps::visit_state(StateVisitor& visitor) {
+  visitor("dt", dt_);
+  visitor("fastest", fastest_);
+}
+
+}  // namespace talus
