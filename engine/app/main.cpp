@@ -12,7 +12,7 @@ namespace {
 
 constexpr Command commands[] = {
     {"run",
-     "  talus scene.lua [-p name=value …] [-o dir] [--restart file]    runs a scene (talus run scene.lua as well)\n",
+     "  talus scene.lua [-p name=value …] [-o dir] […]    runs a scene (talus run scene.lua as well)\n",
      run_command},
     {"plan", "  talus plan scene.lua [-p name=value …]        builds it and prints what a step would do\n", plan_command},
     {"parameters", "  talus parameters scene.lua                    what -p can set\n", parameters_command},
@@ -31,8 +31,14 @@ constexpr const char* options = R"(  talus --reference                          
 
   -p name=value   sets a talus.param of the scene
   -o dir          writes results there instead of where the scene says
-  --restart file  continues from a state that sim:save("file") wrote
   --inputs file   lists there which files the scene was made of, with a hash of each
+  --restart file  continues from a state that sim:save("file") or --checkpoint wrote; a folder: from the one in it
+  --resume        continues from the checkpoint in the output folder, where there is one
+  --checkpoint every=60s|1000steps [file=…]
+                  writes the state now and then, and when a signal or a limit stops the run; to checkpoint.state in
+                  the output folder where no file is given
+  --limit [time=60s] [memory=2GB] [steps=1000]
+                  stops the run there, with its results and exit status 3
 
 Exit status: 0 done; 1 a check failed; 2 bad input; 3 the run had to stop, results up to there are kept;
 130, 143 stopped by SIGINT, SIGTERM.

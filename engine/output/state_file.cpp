@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr std::string_view magic = "talus saved state\n";
-constexpr std::uint64_t format = 1;
+constexpr std::uint64_t format = 2;  // 2: the generator of random numbers too
 
 std::uint64_t checksum(std::string_view bytes) {
   Fnv hash;

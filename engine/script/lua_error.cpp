@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <string_view>
+
+#include "script/limits.h"
 
 namespace talus {
 namespace {
@@ -150,6 +153,8 @@ ScriptError current_error() {
     return {ErrorKind::input, error.what()};
   } catch (const RunError& error) {
     return {ErrorKind::run, error.what()};
+  } catch (const std::bad_alloc&) {
+    return {ErrorKind::run, out_of_memory()};
   } catch (const std::exception& error) {
     return {ErrorKind::internal, error.what()};
   }

@@ -6,7 +6,9 @@
 #include <new>
 
 #include "input/file_hash.h"
+#include "script/coroutines.h"
 #include "script/lua_error.h"
+#include "script/random_state.h"
 
 namespace talus {
 namespace {
@@ -120,6 +122,8 @@ int open_sandbox(lua_State* L) {
     luaL_requiref(L, library.name, library.func, 1);
     lua_pop(L, 1);
   }
+  keep_random_state(L);
+  follow_coroutines(L);
   restrict_os(L);
   restrict_packages(L);
   lua_getglobal(L, "load");

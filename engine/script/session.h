@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "script/checkpoint.h"
+#include "script/limits.h"
 #include "script/run.h"
 
 namespace talus {
@@ -18,6 +20,9 @@ struct SessionOptions {
   std::vector<std::pair<std::string, std::string>> parameters;  // -p name=value
   std::string output_dir;                                       // -o, empty: as the scene says
   std::string restart;                                          // --restart, empty: from the beginning
+  bool resume = false;                                          // --resume
+  std::optional<CheckpointOptions> checkpoint{};
+  Limits limits{};
   std::string command_line;
   bool plan_only = false;
   bool progress = true;
@@ -50,6 +55,8 @@ class Session {
 
   // What the Lua library asks for (script/native.cpp).
   std::shared_ptr<Run> add_run(Scene scene, RunHandlers handlers);
+  // One step of it, or nothing when it is finished; before it what is due between steps. Throws RunError, ScriptError.
+  std::optional<StepReport> step(lua_State* L, const std::shared_ptr<Run>& run);
   void release(const std::shared_ptr<Run>& run);  // the script has dropped it: its results are ended
   void add_check(const CheckLine& check);
   void add_result(const ResultLine& result);
@@ -63,6 +70,7 @@ class Session {
 
  private:
   void read_restart();
+  void find_checkpoint(const std::string& dir, RunSettings& settings) const;
   static int script_main(lua_State* L);
   void run_script(lua_State* L);
   void write_inputs() const;
@@ -79,6 +87,8 @@ class Session {
   std::set<std::string> output_dirs_;
   std::vector<std::string> notes_;
   std::optional<Restart> restart_;
+  std::optional<Checkpoints> checkpoints_;
+  long steps_ = 0;
   int runs_made_ = 0, checks_ = 0, failed_checks_ = 0;
   bool output_failed_ = false;
 };

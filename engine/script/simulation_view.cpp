@@ -133,21 +133,21 @@ void register_value(lua_State* L, const char* key, const Run* run) {
 
 // Stepping asks for a run at rest, and ends `talus plan`. A run that was stepped by the script is no longer
 // kept waiting for the program.
-Run& steppable(lua_State* L, const char* what) {
-  Handle& run = check_handle(L, 1);
+const Handle& steppable(lua_State* L, const char* what) {
+  const Handle& run = check_handle(L, 1);
   if (run->phase() != Run::Phase::idle)
     refuse(L, std::string("sim:") + what + " inside a step, a handler or a law");
   if (Session::of(L).plan_only()) throw ScriptError(ErrorKind::planned, "planned");
   lua_pushnil(L);
   register_value(L, waiting_key, run.get());
   lua_pop(L, 1);
-  resume(L, run);
-  return *run;
+  return run;
 }
 
 // sim:step() -> status, or nothing when the run is finished
 int simulation_step(lua_State* L) {
-  const auto report = steppable(L, "step").step();
+  const Handle& run = steppable(L, "step");
+  const auto report = Session::of(L).step(L, run);
   if (!report) return 0;
   push_status(L, *report);
   return 1;
@@ -155,10 +155,10 @@ int simulation_step(lua_State* L) {
 
 // sim:run() -> status of the last step
 int simulation_run(lua_State* L) {
-  Run& run = steppable(L, "run");
-  while (run.step()) {
+  const Handle& run = steppable(L, "run");
+  while (Session::of(L).step(L, run)) {
   }
-  push_status(L, run.simulation.last);
+  push_status(L, run->simulation.last);
   return 1;
 }
 
