@@ -1,5 +1,6 @@
 // The `talus` command: finds the subcommand; without one, the arguments are of a scene to run.
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -39,6 +40,7 @@ constexpr const char* options = R"(  talus --reference                          
                   the output folder where no file is given
   --limit [time=60s] [memory=2GB] [steps=1000]
                   stops the run there, with its results and exit status 3
+  --trust         the scene may use all of Lua, start programs, and write anywhere
 
 Exit status: 0 done; 1 a check failed; 2 bad input; 3 the run had to stop, results up to there are kept;
 130, 143 stopped by SIGINT, SIGTERM.
@@ -65,6 +67,7 @@ int execute(const Arguments& arguments) {
 }  // namespace talus
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails, with a message
   try {
     return talus::execute({argv + 1, argv + argc});
   } catch (const talus::UsageError& problem) {

@@ -108,6 +108,8 @@ int run_command(const Arguments& arguments) {
       options.inputs_file = value_after(arguments, i);
     } else if (arguments[i] == "--resume") {
       options.resume = true;
+    } else if (arguments[i] == "--trust") {
+      options.trust = true;
     } else if (arguments[i] == "--checkpoint") {
       options.checkpoint = read_checkpoint(arguments, i);
     } else if (arguments[i] == "--limit") {

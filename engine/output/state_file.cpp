@@ -56,6 +56,13 @@ void write_state(const std::string& path, const SavedRun& saved) {
   write_durably(path, bytes);
 }
 
+bool is_state_file(const std::string& path) {
+  std::string head(magic.size(), 0);
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), std::streamsize(head.size()));
+  return file && head == magic;
+}
+
 SavedRun read_state(const std::string& path) {
   const std::string bytes = content(path);
   if (!bytes.starts_with(magic)) throw StateError("is no saved state of Talus");

@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -25,10 +26,12 @@ std::size_t data_of_process() {  // bytes
 }  // namespace
 
 void bound_memory(std::size_t bytes, const std::string& reason) {
-  const std::size_t now = data_of_process(), margin = std::size_t(32) << 20;
-  if (bytes < now + margin)
-    throw std::runtime_error(reason + ": expected at least " + std::to_string((now + margin) / 1000000 + 1) +
-                             "MB, which the program needs itself");
+  // What the libraries take of themselves comes a moment after the start: the solver's buffers, for each core.
+  constexpr std::size_t margin = 20'000'000, own = 200'000'000;
+  const std::size_t least = std::max(data_of_process() + margin, own);
+  if (bytes < least)
+    throw std::runtime_error(reason + ": expected at least " + std::to_string((least + 999'999) / 1'000'000) +
+                             "MB, as the program itself takes most of that");
   const rlimit limit = {.rlim_cur = bytes, .rlim_max = bytes};
   if (setrlimit(RLIMIT_DATA, &limit) != 0) throw std::runtime_error(reason + ": " + std::strerror(errno));
   memory_reason = reason;

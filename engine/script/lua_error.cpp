@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "script/limits.h"
+#include "script/lua_state.h"
 
 namespace talus {
 namespace {
@@ -141,7 +142,10 @@ void protected_call(lua_State* L, int arguments, int results) {
   lua_insert(L, handler);
   const int status = lua_pcall(L, arguments, results, handler);
   lua_remove(L, handler);
-  if (status != LUA_OK) throw pop_error(L);
+  if (status == LUA_OK) return;
+  const ScriptError error = pop_error(L);
+  if (status == LUA_ERRMEM) throw ScriptError(ErrorKind::input, out_of_lua_memory());
+  throw error;
 }
 
 ScriptError current_error() {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstdio>
 #include <filesystem>
 #include <new>
+#include <string_view>
 
 #include "input/file_hash.h"
 #include "script/coroutines.h"
@@ -49,6 +51,12 @@ int search_text(lua_State* L) {
   lua_pushstring(L, file.c_str());
   return 2;
 }
+
+struct Refusal {
+  std::size_t given = 0;  // bytes
+  char file[512] = "";
+  int line = 0;
+} refusal;
 
 void remove_global(lua_State* L, const char* name) {
   lua_pushnil(L);
@@ -124,6 +132,10 @@ int open_sandbox(lua_State* L) {
   }
   keep_random_state(L);
   follow_coroutines(L);
+  if (lua_toboolean(L, 1)) {
+    luaL_openlibs(L);
+    return 0;
+  }
   restrict_os(L);
   restrict_packages(L);
   lua_getglobal(L, "load");
@@ -136,6 +148,26 @@ int open_sandbox(lua_State* L) {
 
 }  // namespace
 
+// Lua throws away garbage and asks once more, then its error has no line: found here, without asking for memory.
+void LuaState::Memory::note_refusal() const {
+  refusal.given = cap;
+  refusal.line = 0;
+  lua_Debug frame;
+  for (int level = 0; L && refusal.line == 0 && lua_getstack(L, level, &frame); ++level) {
+    lua_getinfo(L, "Sl", &frame);
+    if (*frame.what == 'C' || *frame.source != '@' || std::string_view(frame.source + 1).starts_with(library)) continue;
+    std::snprintf(refusal.file, sizeof refusal.file, "%s", frame.source + 1);
+    refusal.line = frame.currentline;
+  }
+}
+
+std::string out_of_lua_memory() {
+  const std::string place = refusal.line > 0 ? refusal.file + (":" + std::to_string(refusal.line)) + ": " : "";
+  const std::size_t megabytes = refusal.given >> 20;
+  return place + "out of memory: the script may have " +
+         (megabytes % 1024 == 0 ? std::to_string(megabytes / 1024) + " GB" : std::to_string(megabytes) + " MB");
+}
+
 void* LuaState::allocate(void* memory, void* block, std::size_t old_size, std::size_t new_size) {
   Memory& m = *static_cast<Memory*>(memory);
   if (!block) old_size = 0;  // then it tells the kind of object
@@ -144,9 +176,12 @@ void* LuaState::allocate(void* memory, void* block, std::size_t old_size, std::s
     m.used -= old_size;
     return nullptr;
   }
-  if (m.cap && new_size > old_size && m.used + (new_size - old_size) > m.cap) return nullptr;
-  void* grown = std::realloc(block, new_size);
-  if (grown) m.used += new_size - old_size;
+  const bool too_much = m.cap && new_size > old_size && m.used + (new_size - old_size) > m.cap;
+  void* grown = too_much ? nullptr : std::realloc(block, new_size);
+  if (grown)
+    m.used += new_size - old_size;
+  else
+    m.note_refusal();
   return grown;
 }
 
@@ -156,7 +191,10 @@ LuaState::LuaState(const LuaOptions& options) : library_(library_folder(options)
   if (!L_) throw std::bad_alloc();
   open_errors(L_, library_);
   lua_pushcfunction(L_, open_sandbox);
-  protected_call(L_, 0, 0);
+  lua_pushboolean(L_, options.trust);
+  protected_call(L_, 1, 0);
+  memory_.library = library_;
+  memory_.L = L_;
 }
 
 LuaState::~LuaState() {

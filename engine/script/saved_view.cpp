@@ -1,6 +1,7 @@
 #include "script/saved_view.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <new>
 
@@ -11,6 +12,7 @@
 #include "script/random_state.h"
 #include "script/session.h"
 #include "script/simulation_view.h"
+#include "script/written_files.h"
 
 namespace talus {
 namespace {
@@ -88,6 +90,18 @@ int saving_write(lua_State* L) {
     lua_pushstring(L, error.what());
     return 1;
   }
+  return 0;
+}
+
+// check_name(file) -> nothing, or throws: a scene writes states where it may, and over states only
+int saving_check_name(lua_State* L) {
+  const std::string name = luaL_checkstring(L, 1);
+  if (Session::of(L).trusted()) return 0;
+  if (!stays_here(name))
+    refuse(L, "sim:save: expected " + std::string(allowed_place) + ", got \"" + name + '"');
+  if (std::filesystem::exists(name) && !is_state_file(name))
+    refuse(L, "sim:save: expected a new file or one with a saved state in it, got \"" + name +
+                  "\", which is another (--trust overwrites it)");
   return 0;
 }
 
@@ -177,6 +191,7 @@ void open_saved_view(lua_State* L) {
 void add_saving(lua_State* L) {
   constexpr luaL_Reg functions[] = {{"save", guarded<saving_save>},
                                     {"write", guarded<saving_write>},
+                                    {"check_name", guarded<saving_check_name>},
                                     {"open", guarded<saving_open>},
                                     {"restore", guarded<saving_restore>},
                                     {"hash", guarded<saving_hash>},

@@ -15,6 +15,7 @@
 #include "script/plan_text.h"
 #include "script/saved_view.h"
 #include "script/simulation_view.h"
+#include "script/written_files.h"
 
 namespace talus {
 namespace {
@@ -59,6 +60,7 @@ int Session::execute() {
     bound_memory(options_.limits.memory, options_.limits.memory_text);
     lua.memory_cap = std::min(lua.memory_cap, options_.limits.memory);
   }
+  lua.trust = options_.trust;
   if (options_.checkpoint) checkpoints_.emplace(*options_.checkpoint);
   LuaState state(lua);
   lua_State* L = state.get();
@@ -78,7 +80,7 @@ int Session::execute() {
   } catch (const ScriptError& error) {
     status = status_of(error);
     outcome = error.what();
-    if (status != exit_ok) std::fprintf(stderr, "talus: %s\n", error.what());
+    if (status != exit_ok) fail(error.what());
   }
   for (const auto& run : runs_) finish(*run, outcome);
   write_inputs();
@@ -164,11 +166,17 @@ std::optional<StepReport> Session::step(lua_State* L, const std::shared_ptr<Run>
   return report;
 }
 
+// What goes wrong after something has is most often the same: one message.
+void Session::fail(const std::string& message) {
+  if (!failed_) std::fprintf(stderr, "talus: %s\n", message.c_str());
+  failed_ = true;
+}
+
 void Session::finish(Run& run, const std::string& outcome) {
   try {
     run.finish(outcome);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "talus: %s\n", error.what());
+    fail(error.what());
     output_failed_ = true;
   }
 }
@@ -230,6 +238,8 @@ void Session::release(const std::shared_ptr<Run>& run) {
 // -o replaces what the scene says; the second and later simulations of a script get <dir>/2, <dir>/3, …
 std::string Session::output_dir(const std::string& wanted, const Place& place) {
   std::string dir = wanted;
+  if (options_.output_dir.empty() && !dir.empty() && !options_.trust && !stays_here(dir))
+    throw InputError(place, "output.dir", allowed_place, '"' + dir + '"');
   if (!options_.output_dir.empty()) {
     dir = options_.output_dir + (runs_made_ == 0 ? "" : "/" + std::to_string(runs_made_ + 1));
   }

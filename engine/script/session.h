@@ -23,6 +23,7 @@ struct SessionOptions {
   bool resume = false;                                          // --resume
   std::optional<CheckpointOptions> checkpoint{};
   Limits limits{};
+  bool trust = false;  // --trust
   std::string command_line;
   bool plan_only = false;
   bool progress = true;
@@ -65,6 +66,8 @@ class Session {
   std::string folder() const;  // of the script
   const std::string* parameter(const DeclaredParameter& parameter);  // null: not given
   const std::vector<DeclaredParameter>& declared() const { return known_parameters_; }
+  const std::string* parameter(const std::string& name, const std::string& meaning);  // null: not given
+  bool trusted() const { return options_.trust; }
   bool plan_only() const { return options_.plan_only; }
   static Session& of(lua_State* L);
 
@@ -77,6 +80,7 @@ class Session {
   void check_parameters() const;
   std::string output_dir(const std::string& wanted, const Place& place);
   void finish(Run& run, const std::string& outcome);
+  void fail(const std::string& message);  // the one that is printed
 
   SessionOptions options_;
   lua_State* L_ = nullptr;  // while the script runs
@@ -90,7 +94,7 @@ class Session {
   std::optional<Checkpoints> checkpoints_;
   long steps_ = 0;
   int runs_made_ = 0, checks_ = 0, failed_checks_ = 0;
-  bool output_failed_ = false;
+  bool failed_ = false, output_failed_ = false;
 };
 
 }  // namespace talus

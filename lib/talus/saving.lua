@@ -32,6 +32,7 @@ function methods.save(sim, file)
   if file ~= nil and (type(file) ~= "string" or file == "") then
     places.expected({ place = places.here(), path = "sim:save" }, "a file's name or nothing", file)
   end
+  if file then saving.check_name(file) end
   local state = state_of(sim)
   local trouble = file and saving.write(state, file)
   if trouble then places.fail(places.here(), "sim:save: " .. trouble) end
