@@ -15,6 +15,10 @@ constexpr Command commands[] = {
     {"run",
      "  talus scene.lua [-p name=value …] [-o dir] […]    runs a scene (talus run scene.lua as well)\n",
      run_command},
+    {"check",
+     "  talus check scene.lua [-p name=value …]       builds it, finds what is wrong, and says what a run would take\n",
+     check_command},
+    {"new", "  talus new [name] [slope|blast|disc|wall]      writes a commented scene to start from\n", new_command},
     {"plan", "  talus plan scene.lua [-p name=value …]        builds it and prints what a step would do\n", plan_command},
     {"parameters", "  talus parameters scene.lua                    what -p can set\n", parameters_command},
     {"sweep",
@@ -27,6 +31,7 @@ constexpr Command commands[] = {
 
 constexpr const char* title = "talus: 2D discontinuous deformation analysis, scripted in Lua\n\n";
 constexpr const char* options = R"(  talus --reference                             prints the scene reference (docs/scene_reference.md)
+  talus --annotations                           prints what editors should know (lib/meta/talus.lua)
   talus --version
   talus --help
 
@@ -40,6 +45,7 @@ constexpr const char* options = R"(  talus --reference                          
                   the output folder where no file is given
   --limit [time=60s] [memory=2GB] [steps=1000]
                   stops the run there, with its results and exit status 3
+  -i              stops before the first step for lines of Lua: sim:step(), sim.time, …; the end of input goes on
   --trust         the scene may use all of Lua, start programs, and write anywhere
 
 Exit status: 0 done; 1 a check failed; 2 bad input; 3 the run had to stop, results up to there are kept;
@@ -58,6 +64,7 @@ int execute(const Arguments& arguments) {
   if (first == "--help" || first == "-h") return print_usage();
   if (first == "--version") return std::printf("talus %s (%s)\n", version, commit), exit_ok;
   if (first == "--reference") return std::fputs(scene_reference().c_str(), stdout), exit_ok;
+  if (first == "--annotations") return std::fputs(editor_annotations().c_str(), stdout), exit_ok;
   const auto* command = std::ranges::find(commands, first, [](const Command& c) { return std::string(c.name); });
   if (command == std::end(commands)) return run_command(arguments);
   return command->run({arguments.begin() + 1, arguments.end()});

@@ -108,6 +108,8 @@ int run_command(const Arguments& arguments) {
       options.inputs_file = value_after(arguments, i);
     } else if (arguments[i] == "--resume") {
       options.resume = true;
+    } else if (arguments[i] == "-i") {
+      options.interactive = true;
     } else if (arguments[i] == "--trust") {
       options.trust = true;
     } else if (arguments[i] == "--checkpoint") {
@@ -120,6 +122,12 @@ int run_command(const Arguments& arguments) {
   }
   if (options.script.empty()) throw UsageError{"expected a scene"};
   if (options.resume && !options.restart.empty()) throw UsageError{"expected --restart or --resume, got both"};
+  return Session(std::move(options)).execute();
+}
+
+int check_command(const Arguments& arguments) {
+  SessionOptions options = read_scene_arguments(arguments, "talus check");
+  options.plan_only = options.estimate = true;
   return Session(std::move(options)).execute();
 }
 

@@ -185,7 +185,7 @@ void* LuaState::allocate(void* memory, void* block, std::size_t old_size, std::s
   return grown;
 }
 
-LuaState::LuaState(const LuaOptions& options) : library_(library_folder(options)) {
+LuaState::LuaState(const LuaOptions& options) : library_(options.library.empty() ? library_folder() : options.library) {
   memory_.cap = options.memory_cap;
   L_ = lua_newstate(allocate, &memory_);
   if (!L_) throw std::bad_alloc();
@@ -199,6 +199,11 @@ LuaState::LuaState(const LuaOptions& options) : library_(library_folder(options)
 
 LuaState::~LuaState() {
   lua_close(L_);
+}
+
+std::string library_folder() {
+  const char* from_environment = std::getenv("TALUS_LIB");
+  return from_environment && *from_environment ? from_environment : TALUS_LUA_PATH;
 }
 
 void set_search_path(lua_State* L, const std::string& script, const std::string& library) {

@@ -42,6 +42,9 @@ class LuaState {
 // What to say where a script asked for more memory than it may have; with its line.
 std::string out_of_lua_memory();
 
+// Where the Lua library lies: the environment's TALUS_LIB, else the built-in path.
+std::string library_folder();
+
 // `require` looks in the script's folder, then in the library.
 void set_search_path(lua_State* L, const std::string& script, const std::string& library);
 

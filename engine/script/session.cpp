@@ -7,12 +7,14 @@
 #include <memory>
 
 #include "model/saved_state.h"
+#include "script/estimate.h"
 #include "script/interrupt.h"
 #include "script/lua_error.h"
 #include "script/lua_state.h"
 #include "script/native.h"
 #include "script/nearest.h"
 #include "script/plan_text.h"
+#include "script/prompt.h"
 #include "script/saved_view.h"
 #include "script/simulation_view.h"
 #include "script/written_files.h"
@@ -82,6 +84,7 @@ int Session::execute() {
     outcome = error.what();
     if (status != exit_ok) fail(error.what());
   }
+  if (options_.estimate && status == exit_ok) status = estimate();
   for (const auto& run : runs_) finish(*run, outcome);
   write_inputs();
   runs_.clear();  // models hold Lua functions: before the state goes
@@ -92,6 +95,21 @@ int Session::execute() {
 int Session::script_main(lua_State* L) {
   Session::of(L).run_script(L);
   return 0;
+}
+
+// What a run in motion would take is tried; handlers and results are left out.
+int Session::estimate() {
+  for (const auto& run : runs_) {
+    try {
+      const std::string text = estimate_text(*run);
+      std::fprintf(stdout, "estimate for %s\n%s", run->simulation.model.scene.title.c_str(), text.c_str());
+    } catch (const std::exception& error) {
+      fail(error.what());
+      return exit_run_stopped;
+    }
+  }
+  std::fputs("nothing is wrong with it\n", stdout);
+  return exit_ok;
 }
 
 void Session::read_restart() {
@@ -154,6 +172,10 @@ void Session::run_script(lua_State* L) {
 std::optional<StepReport> Session::step(lua_State* L, const std::shared_ptr<Run>& run) {
   const Limits& limits = options_.limits;
   resume(L, run);
+  if (options_.interactive && !prompted_) {  // steps that are taken at the prompt come here too
+    prompted_ = true;
+    prompt(L, run);
+  }
   const bool enough = limits.steps > 0 && steps_ >= limits.steps && !run->simulation.finished();
   if (checkpoints_) {
     const InterruptsHeld hold;

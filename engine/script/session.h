@@ -26,6 +26,8 @@ struct SessionOptions {
   bool trust = false;  // --trust
   std::string command_line;
   bool plan_only = false;
+  bool estimate = false;     // with plan_only: what the run would take
+  bool interactive = false;  // -i
   bool progress = true;
   std::function<void(Run&)> on_run{};  // for every simulation that the script makes, before its first step
   std::string inputs_file{};           // --inputs: where the list of the files that the script was made of goes
@@ -73,6 +75,7 @@ class Session {
 
  private:
   void read_restart();
+  int estimate();
   void find_checkpoint(const std::string& dir, RunSettings& settings) const;
   static int script_main(lua_State* L);
   void run_script(lua_State* L);
@@ -92,6 +95,7 @@ class Session {
   std::vector<std::string> notes_;
   std::optional<Restart> restart_;
   std::optional<Checkpoints> checkpoints_;
+  bool prompted_ = false;
   long steps_ = 0;
   int runs_made_ = 0, checks_ = 0, failed_checks_ = 0;
   bool failed_ = false, output_failed_ = false;
