@@ -238,6 +238,12 @@ std::vector<ScriptFile> noted_files(lua_State* L) {
 void run_file(lua_State* L, const std::string& path) {
   note_file(L, path);
   if (luaL_loadfilex(L, path.c_str(), "t") != LUA_OK) throw pop_error(L);
+  if (luaL_loadfilex(L, path.c_str(), "t") != LUA_OK) {
+    const ScriptError error = pop_error(L);
+    if (std::string_view(error.what()).starts_with("attempt to load a binary"))
+      throw ScriptError(ErrorKind::input, path + ": expected a script as text, got compiled Lua");
+    throw error;
+  }
   protected_call(L, 0, 0);
 }
 
