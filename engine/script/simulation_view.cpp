@@ -29,6 +29,8 @@ using Handle = std::shared_ptr<Run>;
 }
 
 Handle& check_handle(lua_State* L, int index) {
+  if (index == 1 && !luaL_testudata(L, 1, metatable))
+    refuse(L, "expected a simulation before its method, got " + describe(L, 1) + "; write sim:step(), with a colon");
   return *static_cast<Handle*>(luaL_checkudata(L, index, metatable));
 }
 
