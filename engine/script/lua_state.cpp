@@ -203,7 +203,11 @@ LuaState::~LuaState() {
 
 std::string library_folder() {
   const char* from_environment = std::getenv("TALUS_LIB");
-  return from_environment && *from_environment ? from_environment : TALUS_LUA_PATH;
+  if (from_environment && *from_environment) return from_environment;
+  std::error_code none;  // of an installed program: <prefix>/bin/talus, <prefix>/share/talus/lib
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
+  const std::filesystem::path beside = program.parent_path().parent_path() / "share/talus/lib";
+  return !none && std::filesystem::exists(beside / "talus/init.lua", none) ? beside.string() : TALUS_LUA_PATH;
 }
 
 void set_search_path(lua_State* L, const std::string& script, const std::string& library) {

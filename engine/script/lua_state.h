@@ -42,7 +42,7 @@ class LuaState {
 // What to say where a script asked for more memory than it may have; with its line.
 std::string out_of_lua_memory();
 
-// Where the Lua library lies: the environment's TALUS_LIB, else the built-in path.
+// Where the Lua library lies: the environment's TALUS_LIB, else beside an installed program, else the built-in path.
 std::string library_folder();
 
 // `require` looks in the script's folder, then in the library.

@@ -63,6 +63,7 @@ int Session::execute() {
     lua.memory_cap = std::min(lua.memory_cap, options_.limits.memory);
   }
   lua.trust = options_.trust;
+  lua.library = options_.library;
   if (options_.checkpoint) checkpoints_.emplace(*options_.checkpoint);
   LuaState state(lua);
   lua_State* L = state.get();

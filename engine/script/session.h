@@ -25,6 +25,7 @@ struct SessionOptions {
   Limits limits{};
   bool trust = false;  // --trust
   std::string command_line;
+  std::string library{};  // folder of the Lua library; empty: library_folder()
   bool plan_only = false;
   bool estimate = false;     // with plan_only: what the run would take
   bool interactive = false;  // -i
