@@ -1,5 +1,6 @@
 // The `talus` command: finds the subcommand; without one, the arguments are of a scene to run.
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -12,8 +13,12 @@ namespace {
 
 constexpr Command commands[] = {
     {"run",
-     "  talus scene.lua [-p name=value …] [-o dir] [--restart file]    runs a scene (talus run scene.lua as well)\n",
+     "  talus scene.lua [-p name=value …] [-o dir] […]    runs a scene (talus run scene.lua as well)\n",
      run_command},
+    {"check",
+     "  talus check scene.lua [-p name=value …]       builds it, finds what is wrong, and says what a run would take\n",
+     check_command},
+    {"new", "  talus new [name] [slope|blast|disc|wall]      writes a commented scene to start from\n", new_command},
     {"plan", "  talus plan scene.lua [-p name=value …]        builds it and prints what a step would do\n", plan_command},
     {"parameters", "  talus parameters scene.lua                    what -p can set\n", parameters_command},
     {"sweep",
@@ -26,13 +31,22 @@ constexpr Command commands[] = {
 
 constexpr const char* title = "talus: 2D discontinuous deformation analysis, scripted in Lua\n\n";
 constexpr const char* options = R"(  talus --reference                             prints the scene reference (docs/scene_reference.md)
+  talus --annotations                           prints what editors should know (lib/meta/talus.lua)
   talus --version
   talus --help
 
   -p name=value   sets a talus.param of the scene
   -o dir          writes results there instead of where the scene says
-  --restart file  continues from a state that sim:save("file") wrote
   --inputs file   lists there which files the scene was made of, with a hash of each
+  --restart file  continues from a state that sim:save("file") or --checkpoint wrote; a folder: from the one in it
+  --resume        continues from the checkpoint in the output folder, where there is one
+  --checkpoint every=60s|1000steps [file=…]
+                  writes the state now and then, and when a signal or a limit stops the run; to checkpoint.state in
+                  the output folder where no file is given
+  --limit [time=60s] [memory=2GB] [steps=1000]
+                  stops the run there, with its results and exit status 3
+  -i              stops before the first step for lines of Lua: sim:step(), sim.time, …; the end of input goes on
+  --trust         the scene may use all of Lua, start programs, and write anywhere
 
 Exit status: 0 done; 1 a check failed; 2 bad input; 3 the run had to stop, results up to there are kept;
 130, 143 stopped by SIGINT, SIGTERM.
@@ -50,6 +64,7 @@ int execute(const Arguments& arguments) {
   if (first == "--help" || first == "-h") return print_usage();
   if (first == "--version") return std::printf("talus %s (%s)\n", version, commit), exit_ok;
   if (first == "--reference") return std::fputs(scene_reference().c_str(), stdout), exit_ok;
+  if (first == "--annotations") return std::fputs(editor_annotations().c_str(), stdout), exit_ok;
   const auto* command = std::ranges::find(commands, first, [](const Command& c) { return std::string(c.name); });
   if (command == std::end(commands)) return run_command(arguments);
   return command->run({arguments.begin() + 1, arguments.end()});
@@ -59,6 +74,7 @@ int execute(const Arguments& arguments) {
 }  // namespace talus
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails, with a message
   try {
     return talus::execute({argv + 1, argv + argc});
   } catch (const talus::UsageError& problem) {

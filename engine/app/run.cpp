@@ -3,6 +3,10 @@
 
 #include "app/command.h"
 
+#include <cmath>
+
+#include "app/settings.h"
+
 namespace talus {
 namespace {
 
@@ -34,6 +38,52 @@ SessionOptions named(const Arguments& arguments, const std::string& command) {
   return options;
 }
 
+[[noreturn]] void refuse(const std::string& option, const Setting& setting, const std::string& expected) {
+  throw UsageError{option + ": expected " + expected + ", got \"" + setting.text() + '"'};
+}
+
+// A whole number above 0, before "steps" where `word` is true.
+bool read_steps(const std::string& text, bool word, long& steps) {
+  double amount = 0;
+  if (!read_amount(text, word ? Units{{"steps", 1}, {"step", 1}} : Units{{"", 1}}, amount) || amount != std::floor(amount))
+    return false;
+  steps = long(amount);
+  return true;
+}
+
+CheckpointOptions read_checkpoint(const Arguments& arguments, std::size_t& i) {
+  CheckpointOptions options;
+  for (const Setting& setting : settings_after(arguments, i, {"every", "file"})) {
+    if (setting.name == "file") {
+      options.file = setting.value;
+    } else if (!read_amount(setting.value, durations, options.seconds) && !read_steps(setting.value, true, options.steps)) {
+      refuse("--checkpoint", setting, "every=60s (ms, s, min or h) or every=1000steps");
+    }
+  }
+  if (options.seconds == 0 && options.steps == 0) throw UsageError{"--checkpoint: expected every=… beside file=…"};
+  return options;
+}
+
+Limits read_limits(const Arguments& arguments, std::size_t& i) {
+  Limits limits;
+  for (const Setting& setting : settings_after(arguments, i, {"time", "memory", "steps"})) {
+    double bytes = 0;
+    const std::string text = "--limit " + setting.text();
+    if (setting.name == "time") {
+      if (!read_amount(setting.value, durations, limits.seconds)) refuse("--limit", setting, "time=60s (ms, s, min or h)");
+      limits.time_text = text;
+    } else if (setting.name == "memory") {
+      if (!read_amount(setting.value, sizes, bytes)) refuse("--limit", setting, "memory=500MB (kB, MB or GB)");
+      limits.memory = std::size_t(bytes);
+      limits.memory_text = text;
+    } else {
+      if (!read_steps(setting.value, false, limits.steps)) refuse("--limit", setting, "steps=1000");
+      limits.steps_text = text;
+    }
+  }
+  return limits;
+}
+
 }  // namespace
 
 const std::string& value_after(const Arguments& arguments, std::size_t& i) {
@@ -56,11 +106,28 @@ int run_command(const Arguments& arguments) {
       options.restart = value_after(arguments, i);
     } else if (arguments[i] == "--inputs") {
       options.inputs_file = value_after(arguments, i);
+    } else if (arguments[i] == "--resume") {
+      options.resume = true;
+    } else if (arguments[i] == "-i") {
+      options.interactive = true;
+    } else if (arguments[i] == "--trust") {
+      options.trust = true;
+    } else if (arguments[i] == "--checkpoint") {
+      options.checkpoint = read_checkpoint(arguments, i);
+    } else if (arguments[i] == "--limit") {
+      options.limits = read_limits(arguments, i);
     } else if (!read_scene_option(arguments, i, options)) {
       throw UsageError{"unexpected argument \"" + arguments[i] + "\""};
     }
   }
   if (options.script.empty()) throw UsageError{"expected a scene"};
+  if (options.resume && !options.restart.empty()) throw UsageError{"expected --restart or --resume, got both"};
+  return Session(std::move(options)).execute();
+}
+
+int check_command(const Arguments& arguments) {
+  SessionOptions options = read_scene_arguments(arguments, "talus check");
+  options.plan_only = options.estimate = true;
   return Session(std::move(options)).execute();
 }
 

@@ -13,7 +13,9 @@ std::string hex(std::uint64_t value) {
 }
 
 void append(std::string& bytes, std::uint64_t value) {
-  for (int i = 0; i < 8; ++i, value >>= 8) bytes.push_back(static_cast<char>(value & 255));
+  char eight[8];
+  for (int i = 0; i < 8; ++i, value >>= 8) eight[i] = static_cast<char>(value & 255);
+  bytes.append(eight, sizeof eight);
 }
 
 void append(std::string& bytes, double value) {

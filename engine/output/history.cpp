@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <filesystem>
 #include <numeric>
 #include <sstream>
 #include <string_view>
@@ -97,9 +98,14 @@ void HistoryTable::rewind(long step) {
 
 void HistoryTable::write(const std::string& line) {
   errno = 0;
+  const auto before = file_.tellp();
   file_ << line << '\n' << std::flush;
-  if (!file_)
-    throw RunError("cannot write " + path_ + ": " + (errno != 0 ? std::strerror(errno) : "unknown reason"));
+  if (file_) return;
+  const int reason = errno;
+  file_.close();  // without the half of a row
+  std::error_code none;
+  std::filesystem::resize_file(path_, std::uintmax_t(std::max<std::streamoff>(before, 0)), none);
+  throw RunError("cannot write " + path_ + ": " + (reason != 0 ? std::strerror(reason) : "unknown reason"));
 }
 
 void HistoryTable::add(Simulation& simulation, double residual, const std::vector<UserArray>& arrays) {

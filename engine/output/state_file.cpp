@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr std::string_view magic = "talus saved state\n";
-constexpr std::uint64_t format = 1;
+constexpr std::uint64_t format = 2;  // 2: the generator of random numbers too
 
 std::uint64_t checksum(std::string_view bytes) {
   Fnv hash;
@@ -54,6 +54,13 @@ void write_state(const std::string& path, const SavedRun& saved) {
   append(bytes, std::string_view(body));
   append(bytes, checksum(bytes));
   write_durably(path, bytes);
+}
+
+bool is_state_file(const std::string& path) {
+  std::string head(magic.size(), 0);
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), std::streamsize(head.size()));
+  return file && head == magic;
 }
 
 SavedRun read_state(const std::string& path) {

@@ -20,6 +20,8 @@ struct SavedRun {
 // Written under a temporary name, brought to disk and renamed: a crash leaves the former file or the new one,
 // whole. Throws RunError naming path and reason.
 void write_state(const std::string& path, const SavedRun& saved);
+// Whether it begins as one: what else lies there is not overwritten by a scene.
+bool is_state_file(const std::string& path);
 // Throws StateError when it is no file of a state, or not what was written.
 SavedRun read_state(const std::string& path);
 

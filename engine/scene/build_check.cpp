@@ -222,6 +222,7 @@ void check_mesh(const Region& region, long most) {
   }
   const double blocks = each * squares_of(region);
   if (!(blocks > limit)) return;
+  if (!std::isfinite(blocks)) throw InputError(place, field, limit_text(most), "more than can be counted");
   const double factor = std::sqrt((triangles ? 2.45 / 2.25 : grains ? 1.1 / 0.9 : 1) * blocks / limit);
   if (mesh.size_at)
     throw InputError(place, field, limit_text(most) + ", so sizes " + enough(factor) + " times as large",

@@ -1,55 +1,102 @@
 #include "script/interrupt.h"
 
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <cmath>
 #include <csignal>
+#include <cstring>
 #include <string>
 
+#include "output/clock.h"
 #include "script/lua_error.h"
 
 namespace talus {
 namespace {
 
+constexpr int patience = 30;  // s, from the end of the time to that of the process
+
 volatile std::sig_atomic_t signal_seen = 0;
-lua_State* interrupted_state = nullptr;
+lua_State* volatile running = nullptr;
 bool held = false;
+double grace = 0, grace_ends = 0;  // s; of the clock, 0: nothing came yet
+std::string time_reason, last_words;
+int time_status = 0;
 
 std::string signal_text() {
+  if (signal_seen == SIGALRM) return time_reason;
   return signal_seen == SIGTERM ? "stopped by SIGTERM" : "stopped by SIGINT";
 }
 
 // Stays set, so that a script cannot swallow the interrupt with pcall.
 void interrupt_hook(lua_State* L, lua_Debug*) {
-  if (!held) raise_error(L, ErrorKind::interrupt, signal_text());
+  if (held) return;
+  if (grace > 0) {
+    if (grace_ends == 0) grace_ends = wall_seconds() + grace;
+    if (wall_seconds() < grace_ends) return;
+  }
+  raise_error(L, ErrorKind::interrupt, signal_text());
+}
+
+// lua_sethook may be called from a signal handler (Lua 5.4 manual, 4.7).
+void set_hook(lua_State* L) {
+  if (L) lua_sethook(L, interrupt_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
 }
 
 void on_signal(int number) {
   signal_seen = number;
-  // lua_sethook may be called from a signal handler (Lua 5.4 manual, 4.7).
-  if (interrupted_state)
-    lua_sethook(interrupted_state, interrupt_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
+  set_hook(running);
 }
 
-void set_handler(int number, void (*handler)(int)) {
+// The clock rings again after `patience`.
+void on_alarm(int) {
+  static volatile std::sig_atomic_t rung = 0;
+  if (rung) {
+    if (write(STDERR_FILENO, last_words.data(), last_words.size()) < 0) _exit(time_status);
+    _exit(time_status);
+  }
+  rung = 1;
+  if (!signal_seen) on_signal(SIGALRM);
+}
+
+void set_handler(int number, void (*handler)(int), int flags = SA_RESETHAND) {
   struct sigaction action {};
   action.sa_handler = handler;
-  action.sa_flags = handler == SIG_DFL ? 0 : SA_RESETHAND;
+  action.sa_flags = handler == SIG_DFL ? 0 : flags;
   sigemptyset(&action.sa_mask);
   sigaction(number, &action, nullptr);
 }
 
+timeval time_of(double seconds) {
+  return {.tv_sec = time_t(seconds), .tv_usec = suseconds_t(std::fmod(seconds, 1) * 1e6)};
+}
+
 }  // namespace
 
-Interrupts::Interrupts(lua_State* L) {
+Interrupts::Interrupts(lua_State* L, double seconds) {
   signal_seen = 0;
-  interrupted_state = L;
+  running = L;
+  grace = seconds;
+  grace_ends = 0;
   set_handler(SIGINT, on_signal);
   set_handler(SIGTERM, on_signal);
+}
+
+void Interrupts::limit_time(double seconds, const std::string& reason, int status) {
+  time_reason = reason;
+  last_words = "talus: " + reason + "; after " + std::to_string(patience) +
+               " s more the step is not done, and is left: results are those written before it\n";
+  time_status = status;
+  set_handler(SIGALRM, on_alarm, SA_RESTART);
+  const itimerval timer = {.it_interval = time_of(patience), .it_value = time_of(std::max(seconds, 1e-3))};
+  setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
 Interrupts::~Interrupts() {
   set_handler(SIGINT, SIG_DFL);
   set_handler(SIGTERM, SIG_DFL);
-  lua_sethook(interrupted_state, nullptr, 0, 0);
-  interrupted_state = nullptr;
+  lua_sethook(running, nullptr, 0, 0);
+  running = nullptr;
 }
 
 int interrupt_signal() {
@@ -61,6 +108,17 @@ InterruptsHeld::InterruptsHeld(bool hold) : before_(held) {
 }
 InterruptsHeld::~InterruptsHeld() {
   held = before_;
+}
+
+RunningCoroutine::RunningCoroutine(lua_State* coroutine) : before_(running) {
+  if (!before_) return;  // nothing listens to signals
+  running = coroutine;
+  if (signal_seen) set_hook(coroutine);
+}
+RunningCoroutine::~RunningCoroutine() {
+  if (!before_) return;
+  running = before_;
+  if (signal_seen) set_hook(before_);
 }
 
 void throw_if_interrupted() {

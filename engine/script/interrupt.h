@@ -1,19 +1,26 @@
 #pragma once
-// SIGINT and SIGTERM: the step in progress is finished, then the script is left wherever it is. A second
-// signal ends the process at once.
+// What stops a run from outside: SIGINT, SIGTERM, the end of its time (--limit time=…). The step in progress is
+// finished, then the script is left wherever it is. A second signal ends the process at once, and so does the clock
+// where half a minute later neither step nor script has come to an end.
 #include <lua.hpp>
+#include <string>
 
 namespace talus {
 
 class Interrupts {
  public:
-  explicit Interrupts(lua_State* L);  // one at a time
+  // One at a time. With `grace`, s, the script has so long to come to its next step by itself: what it notes down of
+  // the last one is then complete when the state is saved.
+  explicit Interrupts(lua_State* L, double grace = 0);
   ~Interrupts();
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
+
+  // Interrupts after so many seconds, with this reason; the process exits with `status` where that does not help.
+  void limit_time(double seconds, const std::string& reason, int status);
 };
 
-int interrupt_signal();  // the signal that came, or 0
+int interrupt_signal();  // what came: a signal's number, SIGALRM for the end of the time, or 0
 
 // Holds interrupts of Lua code back (laws called from inside a step), or lets them through again (handlers).
 class InterruptsHeld {
@@ -27,7 +34,19 @@ class InterruptsHeld {
   bool before_;
 };
 
-// Throws ScriptError(interrupt) when a signal came.
+// The coroutine that runs meanwhile: interrupts go to it, for each has hooks of its own.
+class RunningCoroutine {
+ public:
+  explicit RunningCoroutine(lua_State* coroutine);
+  ~RunningCoroutine();
+  RunningCoroutine(const RunningCoroutine&) = delete;
+  RunningCoroutine& operator=(const RunningCoroutine&) = delete;
+
+ private:
+  lua_State* before_;
+};
+
+// Throws ScriptError(interrupt) when something of these came.
 void throw_if_interrupted();
 
 }  // namespace talus

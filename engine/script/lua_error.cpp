@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <string_view>
+
+#include "script/limits.h"
+#include "script/lua_state.h"
 
 namespace talus {
 namespace {
@@ -66,6 +70,9 @@ std::string instead(std::string_view message) {
 int message_handler(lua_State* L) {
   if (is_error_object(L, 1)) return 1;
   std::string message = luaL_tolstring(L, 1, nullptr);
+  if (lua_type(L, 1) != LUA_TSTRING && lua_type(L, 1) != LUA_TNUMBER && luaL_getmetafield(L, 1, "__tostring") == LUA_TNIL)
+    message = user_place(L).text() + ": an error without a text: error(…) was given " +
+              (lua_isnil(L, 1) ? "nothing" : std::string("a ") + luaL_typename(L, 1));
   message += instead(message);
   if (!raised_in_library(L)) {
     push_error(L, ErrorKind::input, message);
@@ -138,7 +145,12 @@ void protected_call(lua_State* L, int arguments, int results) {
   lua_insert(L, handler);
   const int status = lua_pcall(L, arguments, results, handler);
   lua_remove(L, handler);
-  if (status != LUA_OK) throw pop_error(L);
+  if (status == LUA_OK) return;
+  const ScriptError error = pop_error(L);
+  if (status == LUA_ERRERR)  // no stack was left for the message either
+    throw ScriptError(ErrorKind::input, "stack overflow: a function of the script calls itself without end");
+  if (status == LUA_ERRMEM) throw ScriptError(ErrorKind::input, out_of_lua_memory());
+  throw error;
 }
 
 ScriptError current_error() {
@@ -150,6 +162,8 @@ ScriptError current_error() {
     return {ErrorKind::input, error.what()};
   } catch (const RunError& error) {
     return {ErrorKind::run, error.what()};
+  } catch (const std::bad_alloc&) {
+    return {ErrorKind::run, out_of_memory()};
   } catch (const std::exception& error) {
     return {ErrorKind::internal, error.what()};
   }

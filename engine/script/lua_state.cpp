@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstdio>
 #include <filesystem>
 #include <new>
+#include <string_view>
 
 #include "input/file_hash.h"
+#include "script/coroutines.h"
 #include "script/lua_error.h"
+#include "script/random_state.h"
 
 namespace talus {
 namespace {
@@ -47,6 +51,12 @@ int search_text(lua_State* L) {
   lua_pushstring(L, file.c_str());
   return 2;
 }
+
+struct Refusal {
+  std::size_t given = 0;  // bytes
+  char file[512] = "";
+  int line = 0;
+} refusal;
 
 void remove_global(lua_State* L, const char* name) {
   lua_pushnil(L);
@@ -120,6 +130,12 @@ int open_sandbox(lua_State* L) {
     luaL_requiref(L, library.name, library.func, 1);
     lua_pop(L, 1);
   }
+  keep_random_state(L);
+  follow_coroutines(L);
+  if (lua_toboolean(L, 1)) {
+    luaL_openlibs(L);
+    return 0;
+  }
   restrict_os(L);
   restrict_packages(L);
   lua_getglobal(L, "load");
@@ -132,6 +148,26 @@ int open_sandbox(lua_State* L) {
 
 }  // namespace
 
+// Lua throws away garbage and asks once more, then its error has no line: found here, without asking for memory.
+void LuaState::Memory::note_refusal() const {
+  refusal.given = cap;
+  refusal.line = 0;
+  lua_Debug frame;
+  for (int level = 0; L && refusal.line == 0 && lua_getstack(L, level, &frame); ++level) {
+    lua_getinfo(L, "Sl", &frame);
+    if (*frame.what == 'C' || *frame.source != '@' || std::string_view(frame.source + 1).starts_with(library)) continue;
+    std::snprintf(refusal.file, sizeof refusal.file, "%s", frame.source + 1);
+    refusal.line = frame.currentline;
+  }
+}
+
+std::string out_of_lua_memory() {
+  const std::string place = refusal.line > 0 ? refusal.file + (":" + std::to_string(refusal.line)) + ": " : "";
+  const std::size_t megabytes = refusal.given >> 20;
+  return place + "out of memory: the script may have " +
+         (megabytes % 1024 == 0 ? std::to_string(megabytes / 1024) + " GB" : std::to_string(megabytes) + " MB");
+}
+
 void* LuaState::allocate(void* memory, void* block, std::size_t old_size, std::size_t new_size) {
   Memory& m = *static_cast<Memory*>(memory);
   if (!block) old_size = 0;  // then it tells the kind of object
@@ -140,23 +176,38 @@ void* LuaState::allocate(void* memory, void* block, std::size_t old_size, std::s
     m.used -= old_size;
     return nullptr;
   }
-  if (m.cap && new_size > old_size && m.used + (new_size - old_size) > m.cap) return nullptr;
-  void* grown = std::realloc(block, new_size);
-  if (grown) m.used += new_size - old_size;
+  const bool too_much = m.cap && new_size > old_size && m.used + (new_size - old_size) > m.cap;
+  void* grown = too_much ? nullptr : std::realloc(block, new_size);
+  if (grown)
+    m.used += new_size - old_size;
+  else
+    m.note_refusal();
   return grown;
 }
 
-LuaState::LuaState(const LuaOptions& options) : library_(library_folder(options)) {
+LuaState::LuaState(const LuaOptions& options) : library_(options.library.empty() ? library_folder() : options.library) {
   memory_.cap = options.memory_cap;
   L_ = lua_newstate(allocate, &memory_);
   if (!L_) throw std::bad_alloc();
   open_errors(L_, library_);
   lua_pushcfunction(L_, open_sandbox);
-  protected_call(L_, 0, 0);
+  lua_pushboolean(L_, options.trust);
+  protected_call(L_, 1, 0);
+  memory_.library = library_;
+  memory_.L = L_;
 }
 
 LuaState::~LuaState() {
   lua_close(L_);
+}
+
+std::string library_folder() {
+  const char* from_environment = std::getenv("TALUS_LIB");
+  if (from_environment && *from_environment) return from_environment;
+  std::error_code none;  // of an installed program: <prefix>/bin/talus, <prefix>/share/talus/lib
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
+  const std::filesystem::path beside = program.parent_path().parent_path() / "share/talus/lib";
+  return !none && std::filesystem::exists(beside / "talus/init.lua", none) ? beside.string() : TALUS_LUA_PATH;
 }
 
 void set_search_path(lua_State* L, const std::string& script, const std::string& library) {
@@ -191,6 +242,12 @@ std::vector<ScriptFile> noted_files(lua_State* L) {
 void run_file(lua_State* L, const std::string& path) {
   note_file(L, path);
   if (luaL_loadfilex(L, path.c_str(), "t") != LUA_OK) throw pop_error(L);
+  if (luaL_loadfilex(L, path.c_str(), "t") != LUA_OK) {
+    const ScriptError error = pop_error(L);
+    if (std::string_view(error.what()).starts_with("attempt to load a binary"))
+      throw ScriptError(ErrorKind::input, path + ": expected a script as text, got compiled Lua");
+    throw error;
+  }
   protected_call(L, 0, 0);
 }
 

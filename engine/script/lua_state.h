@@ -1,6 +1,6 @@
 #pragma once
 // A Lua 5.4 state for one scene: capped memory, text chunks only, no io, os reduced to time, clock and date
-// (the rest of it says what to use instead).
+// (the rest of it says what to use instead). A scene that is trusted has all of Lua.
 #include <cstddef>
 #include <cstdint>
 #include <lua.hpp>
@@ -11,6 +11,7 @@ namespace talus {
 
 struct LuaOptions {
   std::size_t memory_cap = std::size_t(1) << 30;  // bytes; a runaway script fails, the machine does not
+  bool trust = false;
   std::string library;                            // empty: the environment's TALUS_LIB, else the built-in path
 };
 
@@ -27,6 +28,9 @@ class LuaState {
  private:
   struct Memory {
     std::size_t used = 0, cap = 0;
+    lua_State* L = nullptr;
+    std::string library;
+    void note_refusal() const;
   };
   static void* allocate(void* memory, void* block, std::size_t old_size, std::size_t new_size);
 
@@ -34,6 +38,12 @@ class LuaState {
   std::string library_;
   lua_State* L_ = nullptr;
 };
+
+// What to say where a script asked for more memory than it may have; with its line.
+std::string out_of_lua_memory();
+
+// Where the Lua library lies: the environment's TALUS_LIB, else beside an installed program, else the built-in path.
+std::string library_folder();
 
 // `require` looks in the script's folder, then in the library.
 void set_search_path(lua_State* L, const std::string& script, const std::string& library);

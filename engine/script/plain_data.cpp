@@ -48,8 +48,9 @@ class Packer {
 
  private:
   [[noreturn]] void refuse(const std::string& path, const std::string& given) {
+    const Place place = user_place(L_);  // none where the program itself saves
     throw ScriptError(ErrorKind::input,
-                      user_place(L_).text() + ": " + path +
+                      (place.file.empty() ? "" : place.text() + ": ") + path +
                           ": expected plain data to save (a number, a text, true, false or a table "
                           "of these), got " +
                           given);

@@ -142,11 +142,10 @@ std::optional<StepReport> Run::step() {
     const Place& place = simulation.model.scene.time.place;  // the line of talus.simulation
     failure_ = (place.file.empty() ? "" : place.text() + ": ") + error.what();
     throw RunError(failure_);
-  } catch (const std::exception& error) {
-    failure_ = error.what();
+  } catch (const std::exception&) {
+    failure_ = current_error().what();
     throw;
   }
-  throw_if_interrupted();
   return simulation.last;
 }
 
@@ -188,7 +187,7 @@ void Run::check_restart(const Restart& restart) const {
   try {
     check_fits(restart.saved);
   } catch (const StateError& error) {
-    throw InputError(simulation.model.scene.time.place, "--restart", "a state saved from this scene",
+    throw InputError(simulation.model.scene.time.place, restart.option, "a state saved from this scene",
                      '"' + restart.file + "\", which " + error.what());
   }
 }

@@ -19,9 +19,10 @@ struct RunHandlers {
   std::vector<std::pair<std::string, LuaFunction>> fields;  // output.fields
 };
 
-struct Restart {  // --restart
+struct Restart {
   std::string file;
   SavedRun saved;
+  std::string option;  // that asked for it: --restart, --resume
 };
 
 struct RunSettings {
@@ -54,6 +55,8 @@ class Run {
   const std::optional<Restart>& restart() const { return restart_; }  // that is still to come
 
   bool stepped() const { return stepped_; }
+  // Whether the run has come to its end of itself. One that the script has stopped would go on when it is restored.
+  bool ended() const { return simulation.finished() && !simulation.stopped() && !simulation.collapsed(); }
   bool writes() const { return output_ != nullptr; }
   Phase phase() const { return phase_; }
   void add_check(const CheckLine& check) { checks_.push_back(check); }
@@ -62,6 +65,10 @@ class Run {
   void refuse_inside_step(lua_State* L, const std::string& what) const;
 
   Simulation simulation;
+  struct CheckpointMark {
+    long step = -1;  // -1: none yet
+    double at = 0;   // s of the clock
+  } checkpoint;      // the last one
 
   explicit Run(Scene scene) : simulation(std::move(scene)) {}
 

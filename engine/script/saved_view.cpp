@@ -1,6 +1,7 @@
 #include "script/saved_view.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <new>
 
@@ -8,13 +9,16 @@
 #include "script/laws.h"
 #include "script/lua_error.h"
 #include "script/plain_data.h"
+#include "script/random_state.h"
 #include "script/session.h"
 #include "script/simulation_view.h"
+#include "script/written_files.h"
 
 namespace talus {
 namespace {
 
 constexpr const char* metatable = "talus.saved_state";
+constexpr const char* saving_key = "talus.saving";
 
 struct SavedState {
   SavedRun run;
@@ -51,13 +55,18 @@ int saved_text(lua_State* L) {
   return 1;
 }
 
-std::pair<std::string, std::string> script_parts(const SavedRun& saved) {
+struct ScriptParts {
+  std::string state, objects, random;
+};
+
+ScriptParts script_parts(const SavedRun& saved) {
   ByteReader reader(saved.script);
-  std::string state = reader.text();
-  return {std::move(state), reader.text()};
+  ScriptParts parts;
+  for (std::string* part : {&parts.state, &parts.objects, &parts.random}) *part = reader.text();
+  return parts;
 }
 
-// save(sim, objects, laws [, file]) -> saved state
+// save(sim, objects, laws) -> saved state
 int saving_save(lua_State* L) {
   Run& run = check_simulation(L, 1);
   run.refuse_inside_step(L, "sim:save()");
@@ -66,17 +75,34 @@ int saving_save(lua_State* L) {
   lua_getiuservalue(L, 1, 1);
   append(saved.script, std::string_view(pack_plain(L, -1, "sim.state")));
   append(saved.script, std::string_view(pack_plain(L, 2, "objects")));
-  if (!lua_isnoneornil(L, 4)) {
-    try {
-      write_state(lua_tostring(L, 4), saved);
-    } catch (const RunError& error) {
-      refuse(L, std::string("sim:save: ") + error.what());
-    }
-  }
+  append(saved.script, std::string_view(random_state(L)));
   push_saved(L, std::move(saved), "");
   lua_pushvalue(L, 3);
   lua_setiuservalue(L, -2, 1);
   return 1;
+}
+
+// write(saved state, file) -> nothing, or why it cannot be written
+int saving_write(lua_State* L) {
+  try {
+    write_state(luaL_checkstring(L, 2), check_saved(L, 1).run);
+  } catch (const RunError& error) {
+    lua_pushstring(L, error.what());
+    return 1;
+  }
+  return 0;
+}
+
+// check_name(file) -> nothing, or throws: a scene writes states where it may, and over states only
+int saving_check_name(lua_State* L) {
+  const std::string name = luaL_checkstring(L, 1);
+  if (Session::of(L).trusted()) return 0;
+  if (!stays_here(name))
+    refuse(L, "sim:save: expected " + std::string(allowed_place) + ", got \"" + name + '"');
+  if (std::filesystem::exists(name) && !is_state_file(name))
+    refuse(L, "sim:save: expected a new file or one with a saved state in it, got \"" + name +
+                  "\", which is another (--trust overwrites it)");
+  return 0;
 }
 
 SavedRun read_file(lua_State* L, const std::string& path) {
@@ -107,7 +133,7 @@ int saving_open(lua_State* L) {
     refuse(L, "sim:restore: expected a state saved from this scene, got " +
                   (saved.from.empty() ? "one" : '"' + saved.from + '"') + ", which " + error.what());
   }
-  push_plain(L, script_parts(saved.run).second);
+  push_plain(L, script_parts(saved.run).objects);
   lua_getiuservalue(L, -2, 1);
   return 3;
 }
@@ -122,7 +148,7 @@ void fill_state(lua_State* L, int simulation, const SavedRun& saved) {
     lua_pushnil(L);
     lua_rawset(L, state);
   }
-  push_plain(L, script_parts(saved).first);
+  push_plain(L, script_parts(saved).state);
   for (lua_pushnil(L); lua_next(L, state + 1); lua_pop(L, 1)) {
     lua_pushvalue(L, -2);
     lua_pushvalue(L, -2);
@@ -164,12 +190,20 @@ void open_saved_view(lua_State* L) {
 
 void add_saving(lua_State* L) {
   constexpr luaL_Reg functions[] = {{"save", guarded<saving_save>},
+                                    {"write", guarded<saving_write>},
+                                    {"check_name", guarded<saving_check_name>},
                                     {"open", guarded<saving_open>},
                                     {"restore", guarded<saving_restore>},
                                     {"hash", guarded<saving_hash>},
                                     {nullptr, nullptr}};
   luaL_newlib(L, functions);
+  lua_pushvalue(L, -1);
+  lua_setfield(L, LUA_REGISTRYINDEX, saving_key);
   lua_setfield(L, -2, "saving");
+}
+
+void push_saving(lua_State* L) {
+  lua_getfield(L, LUA_REGISTRYINDEX, saving_key);
 }
 
 void fill_restart_state(lua_State* L, const std::shared_ptr<Run>& run) {
@@ -192,6 +226,7 @@ void resume(lua_State* L, const std::shared_ptr<Run>& run) {
   push_saved(L, restart.saved, restart.file);
   lua_call(L, 2, 0);
   lua_pop(L, 1);
+  set_random_state(L, script_parts(restart.saved).random);
 }
 
 }  // namespace talus

@@ -1,19 +1,23 @@
 #include "script/session.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
 #include "model/saved_state.h"
+#include "script/estimate.h"
 #include "script/interrupt.h"
 #include "script/lua_error.h"
 #include "script/lua_state.h"
 #include "script/native.h"
 #include "script/nearest.h"
 #include "script/plan_text.h"
+#include "script/prompt.h"
 #include "script/saved_view.h"
 #include "script/simulation_view.h"
+#include "script/written_files.h"
 
 namespace talus {
 namespace {
@@ -25,11 +29,20 @@ int status_of(const ScriptError& error) {
     case ErrorKind::run:
       return exit_run_stopped;
     case ErrorKind::interrupt:
-      return 128 + interrupt_signal();
+      return interrupt_signal() == SIGALRM ? exit_run_stopped : 128 + interrupt_signal();
     case ErrorKind::planned:
       return exit_ok;
     default:
       return exit_bad_input;
+  }
+}
+
+Restart read_saved(const std::string& file, const std::string& option) {
+  try {
+    return {file, read_state(file), option};
+  } catch (const StateError& error) {
+    throw ScriptError(ErrorKind::input,
+                      option + ": expected a saved state, got \"" + file + "\", which " + error.what());
   }
 }
 
@@ -43,7 +56,16 @@ Session& Session::of(lua_State* L) {
 }
 
 int Session::execute() {
-  LuaState state;
+  constexpr double grace = 2;  // s, for the script to come to a step after a signal
+  LuaOptions lua;
+  if (options_.limits.memory > 0) {
+    bound_memory(options_.limits.memory, options_.limits.memory_text);
+    lua.memory_cap = std::min(lua.memory_cap, options_.limits.memory);
+  }
+  lua.trust = options_.trust;
+  lua.library = options_.library;
+  if (options_.checkpoint) checkpoints_.emplace(*options_.checkpoint);
+  LuaState state(lua);
   lua_State* L = state.get();
   lua_pushlightuserdata(L, this);
   lua_rawsetp(L, LUA_REGISTRYINDEX, &session_key);
@@ -53,14 +75,17 @@ int Session::execute() {
   int status = exit_ok;
   std::string outcome;
   try {
-    const Interrupts interrupts(L);
+    Interrupts interrupts(L, checkpoints_ ? grace : 0);
+    const Limits& limits = options_.limits;
+    if (limits.seconds > 0) interrupts.limit_time(limits.seconds, "stopped by " + limits.time_text, exit_run_stopped);
     lua_pushcfunction(L, guarded<script_main>);
     protected_call(L, 0, 0);
   } catch (const ScriptError& error) {
     status = status_of(error);
     outcome = error.what();
-    if (status != exit_ok) std::fprintf(stderr, "talus: %s\n", error.what());
+    if (status != exit_ok) fail(error.what());
   }
+  if (options_.estimate && status == exit_ok) status = estimate();
   for (const auto& run : runs_) finish(*run, outcome);
   write_inputs();
   runs_.clear();  // models hold Lua functions: before the state goes
@@ -73,14 +98,41 @@ int Session::script_main(lua_State* L) {
   return 0;
 }
 
+// What a run in motion would take is tried; handlers and results are left out.
+int Session::estimate() {
+  for (const auto& run : runs_) {
+    try {
+      const std::string text = estimate_text(*run);
+      std::fprintf(stdout, "estimate for %s\n%s", run->simulation.model.scene.title.c_str(), text.c_str());
+    } catch (const std::exception& error) {
+      fail(error.what());
+      return exit_run_stopped;
+    }
+  }
+  std::fputs("nothing is wrong with it\n", stdout);
+  return exit_ok;
+}
+
 void Session::read_restart() {
   if (options_.restart.empty()) return;
-  try {
-    restart_ = Restart{options_.restart, read_state(options_.restart)};
-  } catch (const StateError& error) {
-    throw ScriptError(ErrorKind::input, "--restart: expected a saved state, got \"" + options_.restart +
-                                            "\", which " + error.what());
+  std::string file = options_.restart;
+  if (std::filesystem::is_directory(file)) {
+    file = (std::filesystem::path(file) / checkpoint_name).string();
+    if (!std::filesystem::exists(file))
+      throw ScriptError(ErrorKind::input, "--restart: expected a saved state or a folder with " +
+                                              std::string(checkpoint_name) + " in it, got \"" + options_.restart +
+                                              "\", which has none");
   }
+  restart_ = read_saved(file, "--restart");
+}
+
+// --resume: what the run itself has written.
+void Session::find_checkpoint(const std::string& dir, RunSettings& settings) const {
+  const std::string& own = options_.checkpoint ? options_.checkpoint->file : std::string();
+  const std::string file = own.empty() ? dir + "/" + checkpoint_name : own;
+  if ((own.empty() && dir.empty()) || !std::filesystem::exists(file)) return;
+  Restart found = read_saved(file, "--resume");
+  if (found.saved.simulation == settings.number) settings.restart = std::move(found);
 }
 
 void Session::run_script(lua_State* L) {
@@ -111,18 +163,43 @@ void Session::run_script(lua_State* L) {
   for (const auto& run : std::vector(runs_)) {
     if (run->stepped()) continue;
     push_simulation(L, run);  // handlers are given it
-    resume(L, run);
-    while (run->step()) {
+    while (step(L, run)) {
     }
     lua_pop(L, 1);
   }
+  throw_if_interrupted();
+}
+
+std::optional<StepReport> Session::step(lua_State* L, const std::shared_ptr<Run>& run) {
+  const Limits& limits = options_.limits;
+  resume(L, run);
+  if (options_.interactive && !prompted_) {  // steps that are taken at the prompt come here too
+    prompted_ = true;
+    prompt(L, run);
+  }
+  const bool enough = limits.steps > 0 && steps_ >= limits.steps && !run->simulation.finished();
+  if (checkpoints_) {
+    const InterruptsHeld hold;
+    checkpoints_->between_steps(L, run, run->ended() || enough || interrupt_signal() != 0);
+  }
+  throw_if_interrupted();
+  if (enough) throw ScriptError(ErrorKind::run, "stopped by " + limits.steps_text);
+  auto report = run->step();
+  if (report) ++steps_;
+  return report;
+}
+
+// What goes wrong after something has is most often the same: one message.
+void Session::fail(const std::string& message) {
+  if (!failed_) std::fprintf(stderr, "talus: %s\n", message.c_str());
+  failed_ = true;
 }
 
 void Session::finish(Run& run, const std::string& outcome) {
   try {
     run.finish(outcome);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "talus: %s\n", error.what());
+    fail(error.what());
     output_failed_ = true;
   }
 }
@@ -160,7 +237,9 @@ std::shared_ptr<Run> Session::add_run(Scene scene, RunHandlers handlers) {
   settings.number = runs_made_ + 1;
   if (restart_ && restart_->saved.simulation == settings.number) settings.restart = restart_;
   if (runs_made_ == 0) write_inputs();
+  if (options_.resume) find_checkpoint(scene.output.dir, settings);
   auto run = Run::create(std::move(scene), std::move(handlers), settings);
+  if (checkpoints_) checkpoints_->check_place(*run);
   ++runs_made_;
   std::vector<std::string>& notes = run->simulation.notes;
   notes.insert(notes.begin(), notes_.begin(), notes_.end());
@@ -182,6 +261,8 @@ void Session::release(const std::shared_ptr<Run>& run) {
 // -o replaces what the scene says; the second and later simulations of a script get <dir>/2, <dir>/3, …
 std::string Session::output_dir(const std::string& wanted, const Place& place) {
   std::string dir = wanted;
+  if (options_.output_dir.empty() && !dir.empty() && !options_.trust && !stays_here(dir))
+    throw InputError(place, "output.dir", allowed_place, '"' + dir + '"');
   if (!options_.output_dir.empty()) {
     dir = options_.output_dir + (runs_made_ == 0 ? "" : "/" + std::to_string(runs_made_ + 1));
   }

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "script/checkpoint.h"
+#include "script/limits.h"
 #include "script/run.h"
 
 namespace talus {
@@ -18,8 +20,15 @@ struct SessionOptions {
   std::vector<std::pair<std::string, std::string>> parameters;  // -p name=value
   std::string output_dir;                                       // -o, empty: as the scene says
   std::string restart;                                          // --restart, empty: from the beginning
+  bool resume = false;                                          // --resume
+  std::optional<CheckpointOptions> checkpoint{};
+  Limits limits{};
+  bool trust = false;  // --trust
   std::string command_line;
+  std::string library{};  // folder of the Lua library; empty: library_folder()
   bool plan_only = false;
+  bool estimate = false;     // with plan_only: what the run would take
+  bool interactive = false;  // -i
   bool progress = true;
   std::function<void(Run&)> on_run{};  // for every simulation that the script makes, before its first step
   std::string inputs_file{};           // --inputs: where the list of the files that the script was made of goes
@@ -50,6 +59,8 @@ class Session {
 
   // What the Lua library asks for (script/native.cpp).
   std::shared_ptr<Run> add_run(Scene scene, RunHandlers handlers);
+  // One step of it, or nothing when it is finished; before it what is due between steps. Throws RunError, ScriptError.
+  std::optional<StepReport> step(lua_State* L, const std::shared_ptr<Run>& run);
   void release(const std::shared_ptr<Run>& run);  // the script has dropped it: its results are ended
   void add_check(const CheckLine& check);
   void add_result(const ResultLine& result);
@@ -58,17 +69,22 @@ class Session {
   std::string folder() const;  // of the script
   const std::string* parameter(const DeclaredParameter& parameter);  // null: not given
   const std::vector<DeclaredParameter>& declared() const { return known_parameters_; }
+  const std::string* parameter(const std::string& name, const std::string& meaning);  // null: not given
+  bool trusted() const { return options_.trust; }
   bool plan_only() const { return options_.plan_only; }
   static Session& of(lua_State* L);
 
  private:
   void read_restart();
+  int estimate();
+  void find_checkpoint(const std::string& dir, RunSettings& settings) const;
   static int script_main(lua_State* L);
   void run_script(lua_State* L);
   void write_inputs() const;
   void check_parameters() const;
   std::string output_dir(const std::string& wanted, const Place& place);
   void finish(Run& run, const std::string& outcome);
+  void fail(const std::string& message);  // the one that is printed
 
   SessionOptions options_;
   lua_State* L_ = nullptr;  // while the script runs
@@ -79,8 +95,11 @@ class Session {
   std::set<std::string> output_dirs_;
   std::vector<std::string> notes_;
   std::optional<Restart> restart_;
+  std::optional<Checkpoints> checkpoints_;
+  bool prompted_ = false;
+  long steps_ = 0;
   int runs_made_ = 0, checks_ = 0, failed_checks_ = 0;
-  bool output_failed_ = false;
+  bool failed_ = false, output_failed_ = false;
 };
 
 }  // namespace talus

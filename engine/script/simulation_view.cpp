@@ -31,6 +31,8 @@ using Handle = std::shared_ptr<Run>;
 }
 
 Handle& check_handle(lua_State* L, int index) {
+  if (index == 1 && !luaL_testudata(L, 1, metatable))
+    refuse(L, "expected a simulation before its method, got " + describe(L, 1) + "; write sim:step(), with a colon");
   return *static_cast<Handle*>(luaL_checkudata(L, index, metatable));
 }
 
@@ -155,21 +157,21 @@ void register_value(lua_State* L, const char* key, const Run* run) {
 
 // Stepping asks for a run at rest, and ends `talus plan`. A run that was stepped by the script is no longer
 // kept waiting for the program.
-Run& steppable(lua_State* L, const char* what) {
-  Handle& run = check_handle(L, 1);
+const Handle& steppable(lua_State* L, const char* what) {
+  const Handle& run = check_handle(L, 1);
   if (run->phase() != Run::Phase::idle)
     refuse(L, std::string("sim:") + what + " inside a step, a handler or a law");
   if (Session::of(L).plan_only()) throw ScriptError(ErrorKind::planned, "planned");
   lua_pushnil(L);
   register_value(L, waiting_key, run.get());
   lua_pop(L, 1);
-  resume(L, run);
-  return *run;
+  return run;
 }
 
 // sim:step() -> status, or nothing when the run is finished
 int simulation_step(lua_State* L) {
-  const auto report = steppable(L, "step").step();
+  const Handle& run = steppable(L, "step");
+  const auto report = Session::of(L).step(L, run);
   if (!report) return 0;
   push_status(L, *report);
   return 1;
@@ -177,10 +179,10 @@ int simulation_step(lua_State* L) {
 
 // sim:run() -> status of the last step
 int simulation_run(lua_State* L) {
-  Run& run = steppable(L, "run");
-  while (run.step()) {
+  const Handle& run = steppable(L, "run");
+  while (Session::of(L).step(L, run)) {
   }
-  push_status(L, run.simulation.last);
+  push_status(L, run->simulation.last);
   return 1;
 }
 

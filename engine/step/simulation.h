@@ -74,6 +74,7 @@ class Simulation {
   StepReport step();
   bool finished() const;   // t_end, the static load steps, or max_steps reached, or stop() called
   void stop() { stopped_ = true; }
+  bool stopped() const { return stopped_; }
   bool begun() const { return begun_; }
   bool collapsed() const { return collapsed_; }  // a static run has reached a load that nothing holds
 

@@ -25,7 +25,8 @@ local function unknown_key(place, path, kind, key)
     if not field.positional then names[#names + 1] = field.name end
   end
   local suggestion = native.suggestion(tostring(key), names)
-  places.fail(place, ("%s.%s: there is no such field%s"):format(path, key, suggestion))
+  places.fail(place, ("%s.%s: there is no such field%s"):format(path,
+    type(key) == "string" and key or native.describe(key), suggestion))
 end
 
 local function check_keys(kind, given, place, path)

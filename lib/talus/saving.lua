@@ -16,14 +16,27 @@ local function keep(sim, changes)
   users[sim] = list
 end
 
+local function state_of(sim)
+  local objects, laws = {}, {}
+  for i, self in ipairs(users[sim]) do objects[i] = object.freeze(self, laws) end
+  return saving.save(sim, objects, laws)
+end
+
+-- For the program's --checkpoint: nothing, or why it could not be written.
+function saving.checkpoint(sim, file)
+  return saving.write(state_of(sim), file)
+end
+
 -- sim:save(), sim:save("file")
 function methods.save(sim, file)
   if file ~= nil and (type(file) ~= "string" or file == "") then
     places.expected({ place = places.here(), path = "sim:save" }, "a file's name or nothing", file)
   end
-  local objects, laws = {}, {}
-  for i, self in ipairs(users[sim]) do objects[i] = object.freeze(self, laws) end
-  return saving.save(sim, objects, laws, file)
+  if file then saving.check_name(file) end
+  local state = state_of(sim)
+  local trouble = file and saving.write(state, file)
+  if trouble then places.fail(places.here(), "sim:save: " .. trouble) end
+  return state
 end
 
 -- sim:restore(state), sim:restore("file")

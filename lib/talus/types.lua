@@ -62,7 +62,7 @@ local function plain_type(name, words)
   return {
     expected = function() return words end,
     check = function(value, _, where)
-      if type(value) ~= name or value == "" then expected(where, words, value) end
+      if type(value) ~= name or value == "" or name == "string" and value:find("\0", 1, true) then expected(where, words, value) end
       return value
     end,
   }
@@ -158,6 +158,9 @@ function types.list.check(value, spec, where)
       local given = native.describe(key)
       places.fail(where.place, ("%s: expected %s, got the key %s in it"):format(where.path, words, given))
     end
+  end
+  for i = 1, #value do  -- { a, nil, b }: what follows would be lost
+    if value[i] == nil then types.check(nil, spec.of, inside(where, ("[%d]"):format(i))) end
   end
   local kept = {}
   for i, element in ipairs(spec.nested and flattened(value) or value) do

@@ -33,7 +33,7 @@ for _, wave in ipairs { "square", "smooth" } do
   for _, friction in ipairs { 0, 0.5 } do
     local label = string.format("slot, %s force, friction %g: ", wave, friction)
     local seen, states = run(wave, friction)
-    local again_seen, again = run(wave, friction)
+    local _, again = run(wave, friction)
     local differ, other = 0, 0
     for k = 2001, 2900 do if states[k] ~= states[k + 100] then differ = differ + 1 end end
     for k = 1, math.max(#states, #again) do if states[k] ~= again[k] then other = other + 1 end end

@@ -18,7 +18,7 @@ for _, bonded in ipairs { false, true } do
       time = { mode = "dynamic", t_end = 2, dt = 1e-3 },
     }
     local deepest = 0
-    local seen = tools.watch(sim, function()
+    tools.watch(sim, function()
       local gaps, forces = sim.contacts:field "gap", sim.contacts:field "normal_force"
       for k = 1, #gaps do if forces[k] > 0 then deepest = math.max(deepest, -gaps[k]) end end
     end)

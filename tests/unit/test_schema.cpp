@@ -170,5 +170,17 @@ TEST_F(Schema, ReferencePageIsUpToDate) {
   EXPECT_EQ(committed.str(), scene_reference()) << "run: build/talus --reference > docs/scene_reference.md";
 }
 
+TEST_F(Schema, EditorAnnotationsAreUpToDateAndLua) {
+  const LuaState state;
+  const std::string path = state.library() + "/meta/talus.lua";
+  std::stringstream committed;
+  committed << std::ifstream(path).rdbuf();
+  EXPECT_EQ(committed.str(), editor_annotations()) << "run: build/talus --annotations > lib/meta/talus.lua";
+  EXPECT_EQ(luaL_loadfilex(state.get(), path.c_str(), "t"), LUA_OK);
+  protected_call(state.get(), 0, 1);
+  lua_getfield(state.get(), -1, "material");
+  EXPECT_TRUE(lua_isfunction(state.get(), -1));
+}
+
 }  // namespace
 }  // namespace talus

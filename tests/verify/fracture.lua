@@ -41,7 +41,7 @@ talus.check.equal("bar in tension: mode", pull.cracks[1].mode, "tension")
 -- through the bond, so that its mean traction is pure shear and pressure.
 for _, pressure in ipairs { 0, 1*u.MPa, 5*u.MPa } do
   local top = 20*u.MPa  -- of which the held half takes half
-  local shear, sim = first_failure {
+  local shear = first_failure {
     regions = { talus.region { name = "pair", outline = talus.rect(0, -1, 1, 1), material = rock, order = "rigid",
                                joint = joint(), cuts = { talus.trace { points = { {0, 0}, {1, 0} }, bonded = true } } } },
     fix = { talus.fix { region = "pair", on = "bottom" } },

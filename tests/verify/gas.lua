@@ -178,7 +178,7 @@ do
   for _, block in ipairs(sim.blocks) do block.velocity = { block.centroid[1] < 1 and -c or c, 0 } end
   sim:step()
   local charge = sim.charges[1]
-  local first, began, V0, x = charge.left, charge.vented_at, charge.first_volume, nil
+  local first, began, V0, x = charge.left, charge.vented_at, charge.first_volume
   for _ = 1, 20 do sim:step() end
   local saved = sim:save()
   for _ = 1, 20 do sim:step() end

@@ -63,7 +63,6 @@ end
 -- The cantilever: deflection over length and stress over modulus, under a load that grows with the scale squared.
 local function bend(way)
   local at, direction, back = placing(way)
-  local k = way.scale
   local rock = talus.material { name = "rock", density = 2500, young = 35*u.GPa, poisson = 0.3 }
   local sim = talus.simulation {
     regions = { talus.region { name = "beam", outline = talus.polygon { at(0, 0), at(8, 0), at(8, 1), at(0, 1) },
