@@ -24,6 +24,7 @@ int run_command(const Arguments& arguments);
 int plan_command(const Arguments& arguments);
 int parameters_command(const Arguments& arguments);
 int sweep_command(const Arguments& arguments);
+int picture_command(const Arguments& arguments);
 
 // What every command on a scene takes: the scene, -p name=value, -o dir. The command line is that of the program.
 SessionOptions read_scene_arguments(const Arguments& arguments, const std::string& command);

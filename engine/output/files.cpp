@@ -63,6 +63,12 @@ void prepare_directory(const Output& output, bool resumed) {
   }
 }
 
+void make_directory(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (!fs::is_directory(path, error)) throw RunError("cannot make the folder " + path + ": " + error.message());
+}
+
 std::string frame_name(const std::string& stem, int number, const std::string& ending) {
   const std::string digits = std::to_string(number);
   return stem + "_" + std::string(5 - std::min<std::size_t>(5, digits.size()), '0') + digits + ending;
