@@ -25,6 +25,8 @@ constexpr Command commands[] = {
     {"picture",
      "  talus picture folder [--field name] [--time t|all|last] …     draws a finished run's results (--help says how)\n",
      picture_command},
+    {"view", "  talus view folder [-o file] [--fields a,b] [--every n]        writes one page that plays them in a browser\n",
+     view_command},
 };
 
 constexpr const char* title = "talus: 2D discontinuous deformation analysis, scripted in Lua\n\n";

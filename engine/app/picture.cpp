@@ -60,14 +60,6 @@ Span range(const std::string& text) {
   return span;
 }
 
-std::vector<std::string> parts(const std::string& text) {
-  std::vector<std::string> out(1);
-  for (const char c : text)
-    if (c == ',') out.emplace_back();
-    else out.back() += c;
-  return out;
-}
-
 PictureJob read_job(const Arguments& arguments) {
   PictureJob job;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -98,7 +90,7 @@ std::vector<std::size_t> frames_of(const ResultsFolder& run, const std::string& 
     for (std::size_t k = 0; k < run.times().size(); ++k) frames.push_back(k);
     return frames;
   }
-  for (const std::string& text : parts(times)) frames.push_back(run.nearest(number("--time", text)));
+  for (const std::string& text : comma_separated(times)) frames.push_back(run.nearest(number("--time", text)));
   return frames;
 }
 
@@ -132,7 +124,7 @@ int picture_command(const Arguments& arguments) {
   const ResultsFolder run(job.dir);
   make_directory(job.out);
   if (!job.history.empty()) {
-    write(job, "history.svg", draw_history(run, parts(job.history)));
+    write(job, "history.svg", draw_history(run, comma_separated(job.history)));
     return exit_ok;
   }
   const std::vector<std::size_t> frames = frames_of(run, job.times);

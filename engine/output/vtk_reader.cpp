@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #include "scene/error.h"
@@ -69,6 +70,14 @@ void take_cells(ResultFrame& frame, vtkPolyData* data) {
   }
 }
 
+bool ends_whole(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(-12, std::ios::end);
+  std::string end(12, '\0');
+  file.read(end.data(), 12);
+  return end.find("</VTKFile>") != std::string::npos;
+}
+
 }  // namespace
 
 const ResultArray* ResultFrame::cell(const std::string& name) const {
@@ -83,6 +92,7 @@ ResultFrame read_vtp(const std::string& path) {
   const auto refuse = [&](const std::string& reason) { throw RunError("cannot read " + path + ": " + reason); };
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) refuse("there is no such file");
+  if (!ends_whole(path)) refuse("it is cut short, or no .vtp file");  // VTK takes some of those for empty ones
   vtkObject::GlobalWarningDisplayOff();  // it is said below, once
   vtkNew<vtkXMLPolyDataReader> reader;
   if (!reader->CanReadFile(path.c_str())) refuse("expected a .vtp file, got something else");
