@@ -97,7 +97,7 @@ void GmshReader::read_format() {
   if (!old_ && format[0] != "4.1")
     refuse("version 2.2 or 4.1", "version " + std::string(format[0]) + ": save it with gmsh -format msh22 or -format msh41");
   if (format[1] != "0")
-    refuse("an ASCII mesh", "a binary one: save it with gmsh -bin 0, or set Mesh.Binary = 0 and save again");
+    refuse("an ASCII mesh", "a binary one: save it without -bin, with Mesh.Binary = 0");
   end_section("MeshFormat");
 }
 
@@ -236,7 +236,7 @@ void GmshReader::skip_section(const std::string& name) {
 GmshMesh GmshReader::read() {
   bool first = true;
   while (const auto text = rows_.next()) {
-    if (text->find('\0') != std::string_view::npos) refuse("an ASCII mesh", "a binary file: save it with gmsh -bin 0");
+    if (text->find('\0') != std::string_view::npos) refuse("an ASCII mesh", "a binary file: save it without -bin, with Mesh.Binary = 0");
     if (text->empty()) continue;
     if (first && *text != "$MeshFormat") refuse("a .msh file of Gmsh, which begins with $MeshFormat", quoted(*text));
     first = false;

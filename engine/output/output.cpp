@@ -82,8 +82,12 @@ void RunOutput::Parts::write_frame(Simulation& simulation) {
 
 void RunOutput::Parts::write_report(Simulation& simulation, const RunAccount& account) {
   const Model& model = simulation.model;
-  const std::string state = draw_picture({model, simulation.recovery()},
-                                         {.field = model.scene.output.picture_field, .scale = model.scene.output.picture_scale});
+  std::string state;
+  try {
+    state = draw_picture({model, simulation.recovery()},
+                         {.field = model.scene.output.picture_field, .scale = model.scene.output.picture_scale});
+  } catch (const std::exception&) {  // the law of the script that ended the run fails here again: it has been said
+  }
   write_whole(dir + "/report.html", report_page(simulation, account, report_pictures(dir, model, state, began)));
 }
 

@@ -134,7 +134,7 @@ TEST(Gmsh, ElementsOfSecondOrderAreTakenByTheirCorners) {
 
 TEST(Gmsh, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_EQ(refusal(replaced(version_2, "2.2 0 8", "2.2 1 8")),
-            "a.msh:2: expected an ASCII mesh, got a binary one: save it with gmsh -bin 0, or set Mesh.Binary = 0 and save again");
+            "a.msh:2: expected an ASCII mesh, got a binary one: save it without -bin, with Mesh.Binary = 0");
   EXPECT_EQ(refusal(replaced(version_4, "4.1 0 8", "4.0 0 8")),
             "a.msh:2: expected version 2.2 or 4.1, got version 4.0: save it with gmsh -format msh22 or -format msh41");
   EXPECT_EQ(refusal(replaced(version_2, "4 0 1 0", "4 0 nan 0")), "a.msh:15: expected a finite number for a coordinate, got \"nan\"");
