@@ -110,7 +110,9 @@ int native_read_gmsh(lua_State* L) {
   const std::filesystem::path path = std::filesystem::path(Session::of(L).folder()) / file;
   GmshMesh mesh;
   try {
-    mesh = read_gmsh(read_text(path.string(), file), file);
+    const std::string text = read_text(path.string(), file);
+    note_file(L, path.string());
+    mesh = read_gmsh(text, file);
   } catch (const FileError& error) {
     throw ScriptError(ErrorKind::input, user_place(L).text() + ": gmsh: " + error.what());
   }
