@@ -26,11 +26,16 @@ int parameters_command(const Arguments& arguments);
 int sweep_command(const Arguments& arguments);
 int check_command(const Arguments& arguments);
 int new_command(const Arguments& arguments);
+int picture_command(const Arguments& arguments);
+int view_command(const Arguments& arguments);
 
 // What every command on a scene takes: the scene, -p name=value, -o dir. The command line is that of the program.
 SessionOptions read_scene_arguments(const Arguments& arguments, const std::string& command);
 
 // The value after option i, which is moved on to it. UsageError where there is none.
 const std::string& value_after(const Arguments& arguments, std::size_t& i);
+
+// "a,b" -> a and b.
+std::vector<std::string> comma_separated(const std::string& text);
 
 }  // namespace talus

@@ -27,6 +27,11 @@ constexpr Command commands[] = {
      "  talus sweep study.lua --collect               makes table and page of what is there\n"
      "  talus sweep study.lua --slurm [--no-wait]     the runs as a job array of Slurm\n",
      sweep_command},
+    {"picture",
+     "  talus picture folder [--field name] [--time t|all|last] …     draws a finished run's results (--help says how)\n",
+     picture_command},
+    {"view", "  talus view folder [-o file] [--fields a,b] [--every n]        writes one page that plays them in a browser\n",
+     view_command},
 };
 
 constexpr const char* title = "talus: 2D discontinuous deformation analysis, scripted in Lua\n\n";

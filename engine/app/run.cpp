@@ -91,6 +91,15 @@ const std::string& value_after(const Arguments& arguments, std::size_t& i) {
   return arguments[++i];
 }
 
+std::vector<std::string> comma_separated(const std::string& text) {
+  std::vector<std::string> out(1);
+  for (const char c : text) {
+    if (c == ',') out.emplace_back();
+    else out.back() += c;
+  }
+  return out;
+}
+
 SessionOptions read_scene_arguments(const Arguments& arguments, const std::string& command) {
   SessionOptions options = named(arguments, command);
   for (std::size_t i = 0; i < arguments.size(); ++i)

@@ -81,10 +81,12 @@ double ColourScale::place(double value) const {
   if (flat) return 0.5;
   if (map == ColourMap::sequential) return std::clamp((value - range.low) / range.length(), 0.0, 1.0);
   const double largest = std::max(-range.low, range.high);
-  return 0.5 + 0.5 * std::clamp(value / largest, -1.0, 1.0);
+  return 0.5 + 0.5 * std::clamp(value, range.low, range.high) / largest;
 }
 
 int ColourScale::level(double value) const {
+  // Numbers that follow each other get levels far apart: steps by the golden section.
+  if (categories) return static_cast<int>(levels * std::fmod(std::abs(value) * 0.6180339887498949, 1.0));
   return std::min(levels - 1, static_cast<int>(place(value) * levels));
 }
 
@@ -120,6 +122,28 @@ ColourScale colour_scale(std::vector<double> values, bool whole, double noise) {
   // A trace of the other sign does not make a field one of both signs.
   if (!whole && std::min(-scale.range.low, scale.range.high) > 0.05 * std::max(-scale.range.low, scale.range.high))
     scale.map = ColourMap::diverging;
+  return scale;
+}
+
+ColourScale given_scale(const Span& range, const std::vector<double>& values, bool whole) {
+  ColourScale scale;
+  scale.range = range;
+  scale.whole = whole;
+  // As far as it is drawn: a value that is beyond by rounding is not.
+  const double slack = 1e-6 * range.length();
+  for (const double value : values) {
+    if (value < range.low - slack) scale.below = true;
+    if (value > range.high + slack) scale.above = true;
+  }
+  if (!whole && std::min(-range.low, range.high) > 0.05 * std::max(-range.low, range.high))
+    scale.map = ColourMap::diverging;
+  return scale;
+}
+
+ColourScale category_scale() {
+  ColourScale scale;
+  scale.map = ColourMap::categories;
+  scale.whole = scale.categories = true;
   return scale;
 }
 

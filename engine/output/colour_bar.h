@@ -16,6 +16,7 @@ struct ColourScale {
   bool below = false, above = false;  // some values lie outside the range
   bool flat = false;                  // one value only
   bool whole = false;
+  bool categories = false;  // colours only tell one number from the next; there is no bar
 
   double place(double value) const;  // 0–1 in the map
   int level(double value) const;
@@ -26,6 +27,9 @@ struct ColourScale {
 // (2 % at either end) are cut off. Non-finite values are left out. Where none is larger than `noise` all count as
 // 0.
 ColourScale colour_scale(std::vector<double> values, bool whole, double noise = 0);
+// The range that is wanted; `below`, `above` say whether the values go beyond it.
+ColourScale given_scale(const Span& range, const std::vector<double>& values, bool whole);
+ColourScale category_scale();
 
 struct ColourBar {
   ColourScale scale;

@@ -21,10 +21,19 @@ constexpr Table diverging = {0x004b73, 0x005f90, 0x0474ae, 0x3789c4, 0x649ed1, 0
                              0xadc8e5, 0xd0dded, 0xf3f3f3, 0xf9d5cf, 0xf8b7ad, 0xf3998d,
                              0xe97c70, 0xdc5f55, 0xcb413c, 0xb42729, 0x990a1a};
 
+// Hues 0°–360° of lightness 74, chroma 38 (CIELAB).
+constexpr Table categories = {0xf79bb7, 0xfa9c9d, 0xf3a286, 0xe3ab76, 0xcdb470, 0xb2bc74,
+                              0x95c283, 0x74c79a, 0x52c9b5, 0x33c8cf, 0x33c6e6, 0x58c1f6,
+                              0x84b9fb, 0xaeb0f6, 0xd0a7e7, 0xe99fd1, 0xf79bb7};
+
+const Table& table_of(ColourMap map) {
+  return map == ColourMap::sequential ? sequential : map == ColourMap::diverging ? diverging : categories;
+}
+
 }  // namespace
 
 std::string colour(ColourMap map, double t) {
-  const Table& table = map == ColourMap::sequential ? sequential : diverging;
+  const Table& table = table_of(map);
   const double at = std::clamp(t, 0.0, 1.0) * (table.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(at), table.size() - 2);
   const double share = at - static_cast<double>(below);

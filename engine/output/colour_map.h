@@ -4,7 +4,8 @@
 
 namespace talus {
 
-enum class ColourMap { sequential, diverging };  // dark blue–green–yellow; blue–white–red, white at 0.5
+// Dark blue–green–yellow; blue–white–red, white at 0.5; round the hues.
+enum class ColourMap { sequential, diverging, categories };
 
 std::string colour(ColourMap map, double t);  // "#rrggbb" for t in [0, 1]
 // Too dark for a black line on it; for black letters with luma = 130.

@@ -32,7 +32,7 @@ bool is_own(std::string_view name) {
   if (name.ends_with(unfinished)) name.remove_suffix(unfinished.size());
   for (const std::string_view own :
        {"blocks.pvd", "joints.pvd", "cracks.pvd", "history.csv", "history_before.csv", "energy.svg", "gas_pressure.svg",
-        "gas_volume.svg", "load_displacement.svg", "run.json", "checkpoint.state"})
+         "gas_volume.svg", "load_displacement.svg", "run.json", "report.html", "view.html", "checkpoint.state"})
     if (name == own) return true;
   return is_frame(name, "blocks_", ".vtp") || is_frame(name, "joints_", ".vtp") ||
          is_frame(name, "cracks_", ".vtp") || is_frame(name, "picture_", ".svg");
@@ -61,6 +61,12 @@ void prepare_directory(const Output& output, bool resumed) {
   } catch (const fs::filesystem_error& trouble) {
     refuse(trouble.code().message());
   }
+}
+
+void make_directory(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (!fs::is_directory(path, error)) throw RunError("cannot make the folder " + path + ": " + error.message());
 }
 
 std::string frame_name(const std::string& stem, int number, const std::string& ending) {

@@ -10,6 +10,8 @@ namespace talus {
 // Unless `resumed`, files of a former run there are removed: those with the names that RunOutput gives, no others.
 void prepare_directory(const Output& output, bool resumed);
 
+void make_directory(const std::string& path);  // where it is missing; throws RunError when it cannot be
+
 // As write_whole, and on disk when it returns.
 void write_durably(const std::string& path, const std::string& content);
 

@@ -1,7 +1,9 @@
 #include "output/output.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "output/clock.h"
@@ -11,6 +13,7 @@
 #include "output/picture_field.h"
 #include "output/pvd.h"
 #include "output/report.h"
+#include "output/report_page.h"
 #include "output/user_arrays.h"
 #include "output/vtk_writer.h"
 #include "step/part_timer.h"
@@ -21,6 +24,8 @@ struct RunOutput::Parts {
   std::string dir, command_line;
   std::vector<RunAccount::Restore> restores;
   double started = wall_seconds();
+  // By the clock of files, which lags behind by some milliseconds.
+  std::filesystem::file_time_type began = std::filesystem::file_time_type::clock::now() - std::chrono::milliseconds(100);
   std::optional<PvdSeries> blocks, joints, cracks;
   std::optional<HistoryTable> history;
   Curves curves;
@@ -31,6 +36,7 @@ struct RunOutput::Parts {
 
   void add_row(Simulation& simulation, const std::vector<UserArray>& arrays);
   void write_frame(Simulation& simulation);
+  void write_report(Simulation& simulation, const RunAccount& account);
   void visit_state(StateVisitor& visitor);
 };
 
@@ -72,6 +78,17 @@ void RunOutput::Parts::write_frame(Simulation& simulation) {
   ++frames;
   frame_step = simulation.totals.steps;
   if (output.on_frame) output.on_frame();
+}
+
+void RunOutput::Parts::write_report(Simulation& simulation, const RunAccount& account) {
+  const Model& model = simulation.model;
+  std::string state;
+  try {
+    state = draw_picture({model, simulation.recovery()},
+                         {.field = model.scene.output.picture_field, .scale = model.scene.output.picture_scale});
+  } catch (const std::exception&) {  // the law of the script that ended the run fails here again: it has been said
+  }
+  write_whole(dir + "/report.html", report_page(simulation, account, report_pictures(dir, model, state, began)));
 }
 
 namespace {
@@ -190,6 +207,7 @@ void RunOutput::finish(Simulation& simulation, const std::string& outcome, const
                               .results = results,
                               .errors = errors};
   write_whole(parts_->dir + "/run.json", run_report(simulation, account));
+  parts_->write_report(simulation, account);
 }
 
 }  // namespace talus

@@ -1,6 +1,6 @@
 #pragma once
 // Everything a run writes: <dir>/blocks.pvd and joints.pvd with a .vtp each per output time, history.csv,
-// picture_<n>.svg, energy.svg, run.json. Files are written whole under a temporary name and renamed, so a reader never
+// picture_<n>.svg, energy.svg, run.json, report.html. Files are written whole under a temporary name and renamed, so a reader never
 // sees half of one.
 #include <cstdint>
 #include <memory>

@@ -1,11 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <span>
 
 #include "output/colour_bar.h"
-#include "output/output.h"
-#include "output/picture_field.h"
-#include "output/picture_marks.h"
+#include "output/scenery.h"
 #include "output/text.h"
 
 namespace talus {
@@ -20,23 +18,18 @@ constexpr double wide_frame = 2.2;   // width / height from which the bar lies b
 
 struct Box {
   Vec2 low = Vec2::Constant(INFINITY), high = Vec2::Constant(-INFINITY);
-  void add(const Vec2& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
 };
 
 // All blocks, but not farther out than the scene is large: one flying chip must not shrink all the rest.
-Box shown_box(const Placement& placement) {
-  const Model& model = placement.model();
-  Box start, now;
-  for (std::size_t b = 0; b < model.shapes.size(); ++b)
-    for (int v = model.shapes[b].vertex_begin; v < model.shapes[b].vertex_end; ++v) {
-      start.add(model.shapes[b].reference_centroid + model.reference_vertex[v] + model.origin);
-      if (placement.vertices()[v].allFinite()) now.add(placement.vertices()[v]);
-    }
-  const Vec2 reach = Vec2::Constant((start.high - start.low).maxCoeff());
-  return {now.low.cwiseMax(start.low - reach), now.high.cwiseMin(start.high + reach)};
+Box shown_box(const Scenery& scenery) {
+  Box now;
+  for (const Vec2& p : scenery.corners) {
+    if (!p.allFinite()) continue;
+    now.low = now.low.cwiseMin(p);
+    now.high = now.high.cwiseMax(p);
+  }
+  const Vec2 reach = Vec2::Constant((scenery.high - scenery.low).maxCoeff());
+  return {now.low.cwiseMax(scenery.low - reach), now.high.cwiseMin(scenery.high + reach)};
 }
 
 struct Layout {
@@ -62,14 +55,18 @@ std::array<double, 4> arrow_room(const std::vector<Arrow>& arrows, const Box& bo
 }
 
 // Frame, bar and margins depend on each other through the width of the numbers: two passes settle them.
-Layout lay_out(const Placement& placement, const PictureField& field, int width) {
-  const Box box = shown_box(placement);
+Layout lay_out(const Scenery& scenery) {
+  const PictureField& field = scenery.field;
+  const int width = scenery.width;
+  const Box box = shown_box(scenery);
   const Vec2 size = box.high - box.low;
   const double extent = size.maxCoeff(), top = 2 * line_height + title_size + 22;
   Layout out;
   out.metre = extent >= 0.02 && extent < 2e5 ? ShownUnit{1, "m"} : shown_unit("m", extent);
   ColourBar& bar = out.bar;
-  bar.scale = colour_scale(field.coloured, field.whole, field.noise);
+  bar.scale = field.categories ? category_scale()
+              : scenery.range  ? given_scale(*scenery.range, field.coloured, field.whole)
+                               : colour_scale(field.coloured, field.whole, field.noise);
   const Span& range = bar.scale.range;
   const double largest = bar.scale.flat ? std::abs(range.low + range.high) / 2
                                         : std::max(std::abs(range.low), std::abs(range.high));
@@ -83,9 +80,9 @@ Layout lay_out(const Placement& placement, const PictureField& field, int width)
   frame.y = {box.low.y(), box.high.y()};
   for (int pass = 0; pass < 3; ++pass) {
     bar.length = bar.upright ? std::min(frame.height, 420.) : std::min(0.7 * frame.width, 560.);
-    const double right = bar.upright ? 22 + bar_margin(bar) + 14 : 24;
+    const double right = field.categories ? 24 : bar.upright ? 22 + bar_margin(bar) + 14 : 24;
     frame.left = left_margin(frame.y, frame.height, false, out.metre) + 8;
-    out.arrows = load_arrows(placement, out.px_per_metre);
+    if (scenery.arrows) out.arrows = scenery.arrows(out.px_per_metre);
     const auto beyond = arrow_room(out.arrows, box, out.px_per_metre);
     const Vec2 rooms(beyond[0] + beyond[1], beyond[2] + beyond[3]);
     out.px_per_metre =
@@ -103,46 +100,44 @@ Layout lay_out(const Placement& placement, const PictureField& field, int width)
   } else {
     bar.corner = {frame.left + (frame.width - bar.length) / 2, bottom + 10};
   }
-  out.height = bottom + (bar.upright ? 0 : 10 + bar_margin(bar) + 14);
+  out.height = bottom + (bar.upright || field.categories ? 0 : 10 + bar_margin(bar) + 14);
   return out;
 }
 
-std::string heading(const Model& model) {
-  if (!model.scene.title.empty()) return model.scene.title;
-  return model.scene.file.empty() ? "talus" : std::filesystem::path(model.scene.file).stem().string();
-}
-
-void draw_titles(Svg& svg, const Model& model, const PictureField& field, double magnification, double width) {
-  const std::string title = heading(model);
-  const double left = 16, wanted = text_width(title, title_size) * 1.08;
-  svg.text({left, 12 + title_size}, title,
+void draw_titles(Svg& svg, const Scenery& scenery, double width) {
+  const double left = 16, wanted = text_width(scenery.title, title_size) * 1.08;
+  svg.text({left, 12 + title_size}, scenery.title,
            {.size = title_size * std::min(1.0, (width - 2 * left) / wanted), .bold = true});
-  svg.text({left, 12 + title_size + line_height}, field.meaning, {.size = line_size, .colour = "#444"});
-  const double t_end = model.scene.time.t_end;  // one unit of time all run long
-  std::string line = "t = " + quantity(model.time, shown_unit("s", t_end > 0 ? t_end : model.time), 4);
-  if (magnification != 1) line += ", displacements × " + significant(magnification, 4);
-  const int tension = failed_joints(model, FailureMode::tension), shear = failed_joints(model, FailureMode::shear);
-  if (tension > 0) line += ", " + std::to_string(tension) + " failed in tension (black)";
-  if (shear > 0) line += ", " + std::to_string(shear) + " in shear (magenta)";
-  if (!model.gas_faces.empty()) line += ", faces under gas (orange)";
-  svg.text({left, 12 + title_size + 2 * line_height}, line, {.size = line_size, .colour = "#444"});
+  svg.text({left, 12 + title_size + line_height}, scenery.field.meaning, {.size = line_size, .colour = "#444"});
+  const double scale = scenery.time_scale > 0 ? scenery.time_scale : scenery.time;  // one unit of time all run long
+  std::string line = "t = " + quantity(scenery.time, shown_unit("s", scale), 4);
+  if (scenery.magnification != 1) line += ", displacements × " + significant(scenery.magnification, 4);
+  svg.text({left, 12 + title_size + 2 * line_height}, line + scenery.note, {.size = line_size, .colour = "#444"});
 }
 
-constexpr int held_level = ColourScale::levels, unknown_level = held_level + 1;  // beside those of the map
+constexpr int held_level = ColourScale::levels, unknown_level = held_level + 1,
+              pale_level = unknown_level + 1;  // beside those of the map
+
+bool drawable(std::span<const Vec2> points) {
+  return std::all_of(points.begin(), points.end(), [](const Vec2& p) { return p.norm() < 1e6; });
+}
+
+int level_of(const Layout& layout, double value) {
+  return std::isfinite(value) ? layout.bar.scale.level(value) : unknown_level;
+}
 
 // Outlines of the blocks, those of one colour in one path.
-std::vector<Path> paths_by_level(const Layout& layout, const Placement& placement, const PictureField& field) {
-  std::vector<Path> paths(unknown_level + 1);
-  const auto& shapes = placement.model().shapes;
+std::vector<Path> paths_by_level(const Layout& layout, const Scenery& scenery) {
+  std::vector<Path> paths(pale_level + 1);
   std::vector<Vec2> corners;
-  for (std::size_t b = 0; b < shapes.size(); ++b) {
+  for (std::size_t b = 0; b + 1 < scenery.begin.size(); ++b) {
     corners.clear();
-    for (int v = shapes[b].vertex_begin; v < shapes[b].vertex_end; ++v)
-      corners.push_back(layout.frame.at(placement.vertices()[v]));
-    if (std::any_of(corners.begin(), corners.end(), [](const Vec2& p) { return !(p.norm() < 1e6); })) continue;
-    const double value = field.values[b];
-    const int level = !std::isfinite(value) ? unknown_level : layout.bar.scale.level(value);
-    paths[field.grey[b] ? held_level : level].add(corners, true);
+    for (int v = scenery.begin[b]; v < scenery.begin[b + 1]; ++v) corners.push_back(layout.frame.at(scenery.corners[v]));
+    if (!drawable(corners)) continue;
+    int level = pale_level;
+    if (!scenery.field.of_lines && scenery.field.grey[b]) level = held_level;
+    else if (!scenery.field.of_lines) level = level_of(layout, scenery.field.values[b]);
+    paths[level].add(corners, true);
   }
   return paths;
 }
@@ -150,26 +145,61 @@ std::vector<Path> paths_by_level(const Layout& layout, const Placement& placemen
 std::string fill_of(const ColourScale& scale, int level) {
   if (level == held_level) return "#b4b4b4";
   if (level == unknown_level) return "#ff00ff";
+  if (level == pale_level) return "#eeeeee";
   return colour(scale.map, ColourScale::place_of(level));
 }
 
-// Thin outlines; without them a stroke of the block's own colour closes the seams between neighbours.
-void draw_blocks(Svg& svg, const Layout& layout, const Placement& placement, const PictureField& field,
-                 bool edges) {
+// Side of a square of the blocks' mean area, m.
+double mean_side(const Scenery& scenery) {
   double area = 0;
-  for (const BlockShape& shape : placement.model().shapes) area += shape.area;
-  const double side = std::sqrt(area / static_cast<double>(field.values.size())) * layout.px_per_metre;
+  for (std::size_t b = 0; b + 1 < scenery.begin.size(); ++b)
+    for (int v = scenery.begin[b]; v < scenery.begin[b + 1]; ++v)
+      area += cross(scenery.corners[v], scenery.corners[v + 1 < scenery.begin[b + 1] ? v + 1 : scenery.begin[b]]) / 2;
+  return std::sqrt(std::abs(area) / static_cast<double>(scenery.begin.size() - 1));
+}
+
+constexpr const char* in_frame = "transform=\"scale(.1)\" clip-path=\"url(#frame)\"";
+
+// Thin outlines; without them a stroke of the block's own colour closes the seams between neighbours.
+void draw_blocks(Svg& svg, const Layout& layout, const Scenery& scenery) {
+  const double side = mean_side(scenery) * layout.px_per_metre;
+  const bool edges = scenery.edges;
   const int tenths = edges ? 1 + static_cast<int>(10 * std::clamp(0.02 * side, 0.15, 0.8)) : 5;
-  svg.raw("<g transform=\"scale(.1)\" clip-path=\"url(#frame)\" stroke-linejoin=\"round\" stroke-width=\"" +
-          std::to_string(tenths) + "\">\n");
-  const std::vector<Path> paths = paths_by_level(layout, placement, field);
-  for (int level = 0; level <= unknown_level; ++level) {
+  svg.raw("<g " + std::string(in_frame) + " stroke-linejoin=\"round\" stroke-width=\"" + std::to_string(tenths) +
+          "\">\n");
+  const std::vector<Path> paths = paths_by_level(layout, scenery);
+  for (int level = 0; level <= pale_level; ++level) {
     if (paths[level].data().empty()) continue;
     const std::string fill = fill_of(layout.bar.scale, level);
-    const std::string stroke = !edges ? fill : dark(fill) ? "#8a8a8a" : "#222";
+    const std::string stroke = !edges ? fill : level == pale_level ? "#bbb" : dark(fill) ? "#8a8a8a" : "#222";
     svg.raw("<path fill=\"" + fill + "\" stroke=\"" + stroke + "\" d=\"" + paths[level].data() + "\"/>\n");
   }
   svg.raw("</g>\n");
+}
+
+void draw_lines(Svg& svg, const Path& path, const std::string& colour, double width) {
+  if (path.data().empty()) return;
+  svg.raw("<path " + std::string(in_frame) + " fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" +
+          px(10 * width) + "\" stroke-linecap=\"round\" d=\"" + path.data() + "\"/>\n");
+}
+
+void add_line(Path& path, const Layout& layout, const Segment& line) {
+  const Vec2 ends[] = {layout.frame.at(line[0]), layout.frame.at(line[1])};
+  if (drawable(ends)) path.add(ends, false);
+}
+
+void draw_all_lines(Svg& svg, const Layout& layout, const Scenery& scenery) {
+  constexpr double coloured_width = 3.2;  // px
+  for (const SceneryLines& group : scenery.lines) {
+    Path path;
+    for (const Segment& line : group.lines) add_line(path, layout, line);
+    draw_lines(svg, path, group.colour, group.width);
+  }
+  std::vector<Path> paths(unknown_level + 1);
+  for (std::size_t i = 0; i < scenery.coloured_lines.size(); ++i)
+    add_line(paths[level_of(layout, scenery.field.values[i])], layout, scenery.coloured_lines[i]);
+  for (int level = 0; level <= unknown_level; ++level)
+    draw_lines(svg, paths[level], fill_of(layout.bar.scale, level), coloured_width);
 }
 
 // In tenths of a px: what it clips is drawn in them.
@@ -180,21 +210,17 @@ std::string clip(const Frame& frame) {
 
 }  // namespace
 
-std::string draw_picture(const FieldContext& context, const PictureOptions& options) {
-  const double magnification = options.scale == 0 ? 1 : options.scale;
-  const PictureField field = picture_field(context, options.field);
-  const Placement placement(context.model, magnification);
-  const Layout layout = lay_out(placement, field, options.width);
+std::string draw_scenery(const Scenery& scenery) {
+  const Layout layout = lay_out(scenery);
   Svg svg;
   svg.raw(clip(layout.frame));
-  draw_titles(svg, context.model, field, magnification, layout.width);
-  draw_blocks(svg, layout, placement, field, options.edges);
-  draw_gas(svg, layout.frame, placement);
-  draw_failed_joints(svg, layout.frame, placement);
-  draw_fixities(svg, layout.frame, placement);
+  draw_titles(svg, scenery, layout.width);
+  draw_blocks(svg, layout, scenery);
+  draw_all_lines(svg, layout, scenery);
+  if (scenery.marks) scenery.marks(svg, layout.frame);
   draw_axes(svg, layout.frame, {.x = "x", .y = "y", .x_unit = layout.metre, .y_unit = layout.metre});
   draw_arrows(svg, layout.frame, layout.arrows);
-  draw_bar(svg, layout.bar);
+  if (!layout.bar.scale.categories) draw_bar(svg, layout.bar);
   return svg.file(layout.width, layout.height);
 }
 

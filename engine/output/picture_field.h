@@ -11,6 +11,8 @@ namespace talus {
 struct PictureField {
   std::string symbol, unit, meaning;
   bool whole = false, subscripts = false;
+  bool categories = false;       // names rather than amounts: fragments, regions
+  bool of_lines = false;         // of joints or cracks, not of blocks
   double noise = 0;              // what rounding alone can make of zero
   std::vector<double> values;    // per block
   std::vector<char> grey;        // per block: held, so its value says nothing

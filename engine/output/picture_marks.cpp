@@ -146,34 +146,22 @@ int failed_joints(const Model& model, FailureMode mode) {
                                         [mode](const Joint& joint) { return joint.mode == mode; }));
 }
 
-void draw_gas(Svg& svg, const Frame& frame, const Placement& placement) {
-  Path path;
-  for (const GasFace& face : placement.model().gas_faces) {
-    const Vec2 ends[] = {frame.at(placement.place(face.block, face.in_block[0])),
-                         frame.at(placement.place(face.block, face.in_block[1]))};
-    path.add(ends, false);
-  }
-  if (path.data().empty()) return;
-  svg.raw(std::string("<path transform=\"scale(.1)\" clip-path=\"url(#frame)\" fill=\"none\" stroke=\"") + gas_colour +
-          "\" stroke-width=\"45\" stroke-linecap=\"round\" d=\"" + path.data() + "\"/>\n");
+std::vector<Segment> gas_lines(const Placement& placement) {
+  std::vector<Segment> lines;
+  for (const GasFace& face : placement.model().gas_faces)
+    lines.push_back({placement.place(face.block, face.in_block[0]), placement.place(face.block, face.in_block[1])});
+  return lines;
 }
 
-void draw_failed_joints(Svg& svg, const Frame& frame, const Placement& placement) {
-  const auto draw = [&](FailureMode mode, const std::string& colour) {
-    Path path;
-    for (const Joint& joint : placement.model().joints) {
-      if (joint.mode != mode) continue;
-      Vec2 ends[2];
-      for (int k = 0; k < 2; ++k)
-        ends[k] = frame.at((placement.place(joint.a, joint.in_a[k]) + placement.place(joint.b, joint.in_b[k])) / 2);
-      path.add(ends, false);
-    }
-    if (path.data().empty()) return;
-    svg.raw("<path transform=\"scale(.1)\" clip-path=\"url(#frame)\" fill=\"none\" stroke=\"" + colour +
-            "\" stroke-width=\"16\" stroke-linecap=\"round\" d=\"" + path.data() + "\"/>\n");
-  };
-  draw(FailureMode::shear, shear_crack_colour);
-  draw(FailureMode::tension, tension_crack_colour);
+std::vector<Segment> failed_lines(const Placement& placement, FailureMode mode) {
+  std::vector<Segment> lines;
+  for (const Joint& joint : placement.model().joints) {
+    if (joint.mode != mode) continue;
+    Segment& line = lines.emplace_back();
+    for (int k = 0; k < 2; ++k)
+      line[k] = (placement.place(joint.a, joint.in_a[k]) + placement.place(joint.b, joint.in_b[k])) / 2;
+  }
+  return lines;
 }
 
 void draw_fixities(Svg& svg, const Frame& frame, const Placement& placement) {

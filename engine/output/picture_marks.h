@@ -1,5 +1,7 @@
 #pragma once
 // What is drawn on top of the blocks: failed joints, gas, fixities, loads.
+#include <array>
+#include <string>
 #include <vector>
 
 #include "model/model.h"
@@ -22,6 +24,8 @@ class Placement {
   std::vector<Vec2> vertices_;
 };
 
+using Segment = std::array<Vec2, 2>;
+
 struct Arrow {
   Vec2 at = Vec2::Zero();         // the loaded point, m
   Vec2 direction = Vec2::Zero();  // unit, of the force
@@ -36,8 +40,8 @@ Vec2 far_end(const Arrow& arrow);  // px from the loaded point, y down
 constexpr const char *tension_crack_colour = "#000000", *shear_crack_colour = "#d6008a";
 int failed_joints(const Model& model, FailureMode mode);
 constexpr const char* gas_colour = "#ff7f0e";
-void draw_gas(Svg& svg, const Frame& frame, const Placement& placement);  // faces under pressure in the last step
-void draw_failed_joints(Svg& svg, const Frame& frame, const Placement& placement);
+std::vector<Segment> gas_lines(const Placement& placement);  // faces under pressure in the last step
+std::vector<Segment> failed_lines(const Placement& placement, FailureMode mode);
 void draw_fixities(Svg& svg, const Frame& frame, const Placement& placement);
 void draw_arrows(Svg& svg, const Frame& frame, const std::vector<Arrow>& arrows);
 

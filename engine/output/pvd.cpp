@@ -13,8 +13,9 @@ void PvdSeries::add(double time, const std::string& file) {
   write();
 }
 
-void PvdSeries::read_back() {
-  std::ifstream file(dir_ + "/" + name_ + ".pvd", std::ios::binary);
+std::vector<std::pair<double, std::string>> read_pvd(const std::string& path) {
+  std::vector<std::pair<double, std::string>> frames;
+  std::ifstream file(path, std::ios::binary);
   for (std::string line; std::getline(file, line);) {
     const auto value_of = [&](const std::string& attribute) {
       const std::size_t begin = line.find(attribute + "=\"");
@@ -25,8 +26,13 @@ void PvdSeries::read_back() {
     const std::string time = value_of("timestep"), name = value_of("file");
     double at = 0;
     if (std::from_chars(time.data(), time.data() + time.size(), at).ec == std::errc() && frame_number(name) >= 0)
-      frames_.emplace_back(at, name);
+      frames.emplace_back(at, name);
   }
+  return frames;
+}
+
+void PvdSeries::read_back() {
+  frames_ = read_pvd(dir_ + "/" + name_ + ".pvd");
 }
 
 void PvdSeries::rewind(int frames) {

@@ -7,6 +7,9 @@
 
 namespace talus {
 
+// Times and files of a collection that Talus wrote; none where there is no such file.
+std::vector<std::pair<double, std::string>> read_pvd(const std::string& path);
+
 class PvdSeries {
  public:
   PvdSeries(std::string dir, std::string name) : dir_(std::move(dir)), name_(std::move(name)) {}

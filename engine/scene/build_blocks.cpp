@@ -239,6 +239,26 @@ void add_ready_blocks(Model& model, int region_id, std::vector<FreeEdge>& edges)
   }
 }
 
+// Ready blocks that are bonded where they share a whole edge: corners at the same place, to the bit, are one point.
+Tessellation given_cells(const Region& region) {
+  Tessellation t;
+  std::map<std::pair<double, double>, int> index;
+  for (const Polyline& outline : region.outlines) {
+    std::vector<int>& cell = t.cells.emplace_back();
+    for (const Vec2& p : outline) {
+      const auto [at, added] = index.try_emplace({p.x(), p.y()}, int(t.points.size()));
+      if (added) t.points.push_back(p);
+      cell.push_back(at->second);
+    }
+  }
+  try {
+    connect(t);
+  } catch (const std::logic_error&) {
+    throw std::invalid_argument("bonded blocks that overlap: two of them lie on the same side of an edge");
+  }
+  return t;
+}
+
 void add_region(Model& model, int region_id, std::vector<FreeEdge>& edges) {
   const Region& region = model.scene.regions[region_id];
   const std::string field = "region \"" + region.name + "\"";
@@ -247,6 +267,7 @@ void add_region(Model& model, int region_id, std::vector<FreeEdge>& edges) {
   const long left = model.scene.max_blocks - long(model.shapes.size());
   try {
     if (ready) return add_ready_blocks(model, region_id, edges);
+    if (region.mesh.kind == MeshKind::given) return add_tessellation(model, region_id, given_cells(region), {}, edges);
     const Cuts cuts = cuts_of(region);
     Tessellation t = tessellate(region, cuts, left);
     if (long(t.cells.size()) > left) throw std::length_error(std::to_string(t.cells.size()) + " blocks");

@@ -207,7 +207,7 @@ double squares_of(const Region& region) {
 
 void check_mesh(const Region& region, long most) {
   const Mesh& mesh = region.mesh;
-  if (mesh.kind == MeshKind::none) return;
+  if (mesh.kind == MeshKind::none || mesh.kind == MeshKind::given) return;
   const double limit = static_cast<double>(most);
   const Place& place = mesh.place.file.empty() ? region.place : mesh.place;
   const std::string field = "mesh of region \"" + region.name + "\"";

@@ -79,7 +79,7 @@ struct JointSet {
   bool bonded = false;
 };
 
-enum class MeshKind { none, triangles, voronoi, cross, diagonal, alternating };
+enum class MeshKind { none, triangles, voronoi, cross, diagonal, alternating, given };  // given: the outlines are its cells
 struct Mesh {
   Place place;
   MeshKind kind = MeshKind::none;

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "input/drawing.h"
+#include "input/gmsh.h"
 #include "script/lua_error.h"
 #include "script/lua_state.h"
 #include "script/session.h"
@@ -69,6 +70,59 @@ int native_read_drawing(lua_State* L) {
     throw ScriptError(ErrorKind::input, user_place(L).text() + ": " + call + ": " + error.what());
   }
   push_drawing(L, drawing);
+  return 1;
+}
+
+namespace {
+
+void push_surfaces(lua_State* L, const GmshMesh& mesh, double scale) {
+  lua_newtable(L);
+  for (const auto& [name, group] : mesh.surfaces) {
+    lua_createtable(L, static_cast<int>(group.cells.size()), 0);
+    for (std::size_t c = 0; c < group.cells.size(); ++c) {
+      Polyline outline;
+      for (const int p : group.cells[c]) outline.push_back(scale * mesh.points[p]);
+      push_points(L, outline);
+      lua_rawseti(L, -2, static_cast<lua_Integer>(c + 1));
+    }
+    lua_setfield(L, -2, name.c_str());
+  }
+}
+
+void push_curves(lua_State* L, const GmshMesh& mesh, double scale) {
+  lua_newtable(L);
+  for (const auto& [name, group] : mesh.curves) {
+    const auto runs = straight_runs(mesh, group.lines);
+    lua_createtable(L, static_cast<int>(runs.size()), 0);
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      push_points(L, {scale * runs[r][0], scale * runs[r][1]});
+      lua_rawseti(L, -2, static_cast<lua_Integer>(r + 1));
+    }
+    lua_setfield(L, -2, name.c_str());
+  }
+}
+
+}  // namespace
+
+int native_read_gmsh(lua_State* L) {
+  const std::string file = luaL_checkstring(L, 1);
+  const double scale = luaL_checknumber(L, 2);
+  const std::filesystem::path path = std::filesystem::path(Session::of(L).folder()) / file;
+  GmshMesh mesh;
+  try {
+    const std::string text = read_text(path.string(), file);
+    note_file(L, path.string());
+    mesh = read_gmsh(text, file);
+  } catch (const FileError& error) {
+    throw ScriptError(ErrorKind::input, user_place(L).text() + ": gmsh: " + error.what());
+  }
+  lua_createtable(L, 0, 3);
+  push_surfaces(L, mesh, scale);
+  lua_setfield(L, -2, "surfaces");
+  push_curves(L, mesh, scale);
+  lua_setfield(L, -2, "curves");
+  lua_pushinteger(L, mesh.curved);
+  lua_setfield(L, -2, "curved");
   return 1;
 }
 

@@ -197,6 +197,7 @@ int load_native(lua_State* L) {
                                     {"add_result", guarded<native_add_result>},
                                     {"study", guarded<native_study>},
                                     {"read_drawing", guarded<native_read_drawing>},
+                                    {"read_gmsh", guarded<native_read_gmsh>},
                                     {"parameter", guarded<native_parameter>},
                                     {"fields", guarded<native_fields>},
                                     {nullptr, nullptr}};

@@ -137,7 +137,8 @@ Mesh read_mesh(const TableReader& t, const std::vector<Hole>& holes) {
              {"voronoi", MeshKind::voronoi},
              {"cross", MeshKind::cross},
              {"diagonal", MeshKind::diagonal},
-             {"alternating", MeshKind::alternating}},
+             {"alternating", MeshKind::alternating},
+             {"given", MeshKind::given}},
             mesh.kind);
   t.read("nx", mesh.nx);
   t.read("ny", mesh.ny);

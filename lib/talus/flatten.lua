@@ -222,6 +222,7 @@ function flatten.region(region, name, material_index, joint_index, default_joint
     add_name(hole, { hole = i })
     flat.holes[i] = { place = object.place(outline), name = hole, outline = given(outline, "points") }
   end
+  if get(region, "bonded") then flat.mesh = { place = object.place(region), kind = "given" } end
   if given(region, "mesh") then flat.mesh = flatten_mesh(given(region, "mesh"), name, named) end
   flatten_cuts(flat, region, joint_index)
   if given(region, "stress") then flat.stress = flatten_stress(given(region, "stress")) end

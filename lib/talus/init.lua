@@ -60,6 +60,7 @@ end
 
 for name, shape in pairs(require "talus.shapes") do talus[name] = shape end
 for name, reader in pairs(require "talus.drawings") do talus[name] = reader end
+talus.gmsh = require "talus.gmsh"
 talus.simulation = require "talus.simulation"
 talus.param = require "talus.param"
 talus.result = require "talus.result"

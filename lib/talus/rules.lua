@@ -10,6 +10,7 @@ end
 
 function rules.region(values, bad)
   one_of(values, "outline", "blocks", bad)
+  if values.bonded and not values.blocks then bad("bonded", "ready blocks to go with it", "an outline") end
   if not values.blocks then return end
   for _, name in ipairs { "holes", "mesh", "cuts", "slivers", "sliver_part" } do
     if values[name] then bad(name, "an outline to go with it", "ready blocks") end

@@ -15,6 +15,9 @@ return {
       { name = "outline", type = "outline", doc = "the region's outline" },
       { name = "blocks", type = "list", of = { type = "outline" }, count = 1,
         doc = "instead of outline: one outline for each block" },
+      { name = "bonded", type = "boolean", default = false,
+        doc = "of ready blocks: those that share a whole edge, corners at the same place to the last digit, are bonded there like those"
+            .. " of a mesh" },
       { name = "holes", type = "list", of = { type = "outline" },
         doc = "outlines of holes; a name is given by the shape" },
       { name = "material", type = "object", kinds = { "material" }, required = true, doc = "what it is made of" },

@@ -1,0 +1,7 @@
+#pragma once
+// The files of output/view, in the program.
+namespace talus::view_parts {
+
+extern const char *const page, *const style, *const script;
+
+}  // namespace talus::view_parts
