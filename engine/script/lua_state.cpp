@@ -17,12 +17,6 @@ namespace {
 
 constexpr const char* files_key = "talus.files";  // in Lua's registry: path -> hash
 
-std::string library_folder(const LuaOptions& options) {
-  if (!options.library.empty()) return options.library;
-  const char* from_environment = std::getenv("TALUS_LIB");
-  return from_environment && *from_environment ? from_environment : TALUS_LUA_PATH;
-}
-
 // load(chunk [, name [, mode [, env]]]) of the base library, with the mode held at "t": no bytecode.
 int load_text(lua_State* L) {
   lua_settop(L, lua_isnone(L, 4) ? 3 : 4);
@@ -241,7 +235,6 @@ std::vector<ScriptFile> noted_files(lua_State* L) {
 
 void run_file(lua_State* L, const std::string& path) {
   note_file(L, path);
-  if (luaL_loadfilex(L, path.c_str(), "t") != LUA_OK) throw pop_error(L);
   if (luaL_loadfilex(L, path.c_str(), "t") != LUA_OK) {
     const ScriptError error = pop_error(L);
     if (std::string_view(error.what()).starts_with("attempt to load a binary"))

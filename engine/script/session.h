@@ -69,7 +69,6 @@ class Session {
   std::string folder() const;  // of the script
   const std::string* parameter(const DeclaredParameter& parameter);  // null: not given
   const std::vector<DeclaredParameter>& declared() const { return known_parameters_; }
-  const std::string* parameter(const std::string& name, const std::string& meaning);  // null: not given
   bool trusted() const { return options_.trust; }
   bool plan_only() const { return options_.plan_only; }
   static Session& of(lua_State* L);
