@@ -622,6 +622,58 @@ function talus.calibrate(fields) end
 ---@field pressure number Pa; > 0; at the sides
 ---@field strength number Pa; > 0; the axial stress it bears; above ucs
 
+---@class talus.study
+---@field scene string the scene's file, from the study's folder on
+---@field parameters? table<string, any> a grid: `{ friction = {20, 30, 40}, size = talus.range(0.1, 0.4, 4) }`, names as in the scene's `talus.param`
+---@field cases? (table<string, any>)[]|table values that go together: `{ { width = 1, height = 2 }, { width = 2, height = 3 } }`
+---@field sample? talus.latin_hypercube points spread over ranges
+---@field seeds? integer|(integer)[]|table repetitions of every run with another seed: how many (1, 2, …), or a list of seeds; plots show their means
+---@field seed_parameter? string the scene's parameter that takes the seed
+---@field where? function `function(p)`, the parameters of a run: whether it is made
+---@field order? (string)[]|table parameters as the table's columns and the plots have them: the first varies slowest in the table and is the plots' x axis
+---@field collect? table<string, any> columns of the table: a path in run.json (`"energy.kinetic"`), a table of the fields of collect, or a `function(run)`
+---@field dir? string folder of the results
+---@field title? string of the results page
+---@field time_limit? number s; > 0; wall time after which a run is stopped
+---@field slurm? talus.slurm|table what a run asks of Slurm, with `--slurm`
+
+---Many runs of one scene, made by `talus sweep study.lua`, see [sweeps](sweeps.md). The runs are every combination of `cases`, `parameters`, `sample` and `seeds`; a parameter is in one of them.
+---@param fields talus.study
+---@return talus.study
+function talus.study(fields) end
+
+---@class talus.collect
+---@field run? string path in run.json: `"sizes.blocks"`, `"checks[1].value"`, `"results.x50"`
+---@field history? string column of history.csv, without its unit: `"tip.uy"`, `"kinetic_energy"`
+---@field take? "last"|"first"|"max"|"min"|"mean"|"largest" of the history; `largest`: by its absolute value
+---@field at? number s; >= 0; the history at this time, straight between output times
+---@field value? function `function(run)` of `run.json`, `run.history["tip.uy"]`, `run.history.time`, `run.parameters`, `run:table("pile")`, `run:simulation(2)`, `run.name`; returns a number, a text, true or false
+---@field simulation? integer >= 1; of the scene, where it makes several
+---@field unit? string for table and plots
+---@field label? string for the plots; `_` begins a subscript
+---@field log? boolean logarithmic axis
+
+---@class talus.latin_hypercube
+---@field n integer in [1, 100000]; how many
+---@field seed? integer in [0, 4294967295]; the same seed gives the same points
+---@field ranges table<string, any> `{ friction = {20, 40}, cohesion = {1e3, 1e6} }`
+---@field log? (string)[]|table names of those that are spread over the logarithm
+---@field whole? (string)[]|table names of those that take whole numbers
+
+---n points spread over ranges: each range is cut into n equal parts, and each part has one point (McKay, Beckman & Conover 1979).
+---@param fields talus.latin_hypercube
+---@return talus.latin_hypercube
+function talus.latin_hypercube(fields) end
+
+---@class talus.slurm
+---@field time? number s; > 0; `--time`, rounded up to minutes
+---@field memory? number MB; > 0; `--mem`
+---@field cpus? integer >= 1; `--cpus-per-task`, threads that a run may use
+---@field partition? string `--partition`
+---@field account? string `--account`
+---@field at_once? integer >= 1; runs at a time
+---@field extra? (string)[]|table more options of sbatch: `{ "--qos=long" }`
+
 ---@class talus.block
 ---@field id any ; number of the block, from 1, in VTK too
 ---@field region any ; name of its region

@@ -238,7 +238,7 @@ end
 
 -- Whether a value is meant for this type, however wrong in detail: for types.any.
 local lua_types = { number = "number", integer = "number", boolean = "boolean", string = "string", enum = "string",
-  ["function"] = "function", boolean = "boolean", point = "table", vector = "table", list = "table", map = "table" }
+  ["function"] = "function", point = "table", vector = "table", list = "table", map = "table" }
 function types.accepts(value, spec)
   local of_type = types[spec.type]
   if of_type.accepts then return of_type.accepts(value, spec) end
