@@ -163,6 +163,7 @@ function talus.grade(fields) end
 ---@field name? string what fixities and loads call it
 ---@field outline? table the region's outline
 ---@field blocks? (table)[]|table instead of outline: one outline for each block
+---@field bonded? boolean of ready blocks: those that share a whole edge, corners at the same place to the last digit, are bonded there like those of a mesh
 ---@field holes? (table)[]|table outlines of holes; a name is given by the shape
 ---@field material talus.material what it is made of
 ---@field joint? talus.joint of its bonds and of contacts between its own blocks
@@ -263,6 +264,15 @@ function talus.traces_from_dxf(fields) end
 ---@param fields talus.outlines_from_dxf
 ---@return talus.outlines_from_dxf
 function talus.outline_from_dxf(fields) end
+
+---@class talus.gmsh
+---@field file string first argument: name, from the scene's folder on
+---@field scale? number m; > 0; metres for a unit of the file
+
+---A mesh of Gmsh (.msh, version 2 or 4.1, ASCII): its triangles and quadrangles as ready blocks, for `blocks` of a region with `bonded = true`. Returns `blocks` (all of them), `surfaces.name` (those of a physical surface) and `curves.name` (a list of lines, the straight parts of a physical curve, for `on` of a fixity or load). An element of several groups goes with the first; those of second order are taken by their corners; a note says what was read. Between regions there are contacts, also where their elements share edges.
+---@param fields talus.gmsh
+---@return talus.gmsh
+function talus.gmsh(fields) end
 
 ---@class talus.fix
 ---@field name? string for `sim:fix(name)`, `sim:load(name)`
@@ -441,6 +451,7 @@ function talus.simulation(fields) end
 ---@field dt? number s; > 0; fixed time step
 ---@field dt_min? number s; > 0; least step; below it the run stops with an error
 ---@field dt_max? number s; > 0; largest step
+---@field tolerance? number in (0, 0.1]; in motion: steps are as long as their estimated error allows, each taken again as two halves (theory, § 2); what the errors of all steps together may come to at t_end, as part of the fastest motion so far. Three solutions a step. Where something jumps, as in an impact, steps become no shorter for it than dt_min, 1e-5 of t_end if that is not given; `sim.totals.inaccurate` counts them
 ---@field displacement_ratio? number in (0, 0.1]; largest displacement a step / half the height of the scene
 ---@field start? "rest"|"settled" `rest`: as given; `settled`: from static equilibrium; where friction cannot hold the scene, with joints that do not slide; where it topples even so, at rest as given, with a note
 ---@field max_steps? integer >= 0; most steps
@@ -479,6 +490,7 @@ function talus.damping.velocity(fields) end
 ---@field dir? string folder, from where the program runs; `-o` goes before it
 ---@field every? number s; > 0; time between outputs
 ---@field vtk? boolean VTK series of blocks and joints
+---@field error? boolean estimates the error of stress where blocks are bonded: `stress_error` of blocks and `traction_jump` of joints in VTK, and that of each region at the end in run.json. `sim.error` gives it at any time; otherwise it is not computed
 ---@field picture? boolean|string|talus.picture|table SVG pictures: true, false, the name of a field of blocks or joints (of which a block shows its largest), or a `picture` table. The colours of each picture span the values of its own time, its axes the blocks where they are then: compare pictures by the numbers at the bar
 ---@field fields? table<string, function> arrays of one's own: `{ name = function(block) return number end }`
 
@@ -622,6 +634,19 @@ function talus.calibrate(fields) end
 ---@field pressure number Pa; > 0; at the sides
 ---@field strength number Pa; > 0; the axial stress it bears; above ucs
 
+---@class talus.refine
+---@field scene function `function(size)` that returns the simulation, `size` being what to give as `mesh = { size = size }`: a number first, then a function of x and y
+---@field error? number in (0, 0.5]; wanted, relative, of the whole scene
+---@field size number m; > 0; edge of the first mesh; none becomes longer
+---@field max_blocks? integer >= 1; most blocks of a mesh
+---@field rounds? integer in [1, 50]; most meshes
+---@field log? boolean a line for each round
+
+---Runs a static scene on one mesh after another until the estimated error of its stress is small enough: `sim.error.relative`, in energy norm. Sizes follow from the estimate so that every block has the same error (theory, § 8). Returns the last simulation `sim`, `error` (estimated, reached), `wanted`, `blocks`, `seconds` (CPU, of all rounds), `rounds` (a list of `{ blocks, error, seconds }`, seconds so far) and `size`, the function of x and y of the last mesh. Where the error would need more than `max_blocks` it ends with an error that says how many. A load or support at a point gives an infinite energy, which no mesh resolves: put it on an edge.
+---@param fields talus.refine
+---@return talus.refine
+function talus.refine(fields) end
+
 ---@class talus.study
 ---@field scene string the scene's file, from the study's folder on
 ---@field parameters? table<string, any> a grid: `{ friction = {20, 30, 40}, size = talus.range(0.1, 0.4, 4) }`, names as in the scene's `talus.param`
@@ -713,6 +738,7 @@ function talus.latin_hypercube(fields) end
 ---@field sxy_smooth any Pa; shear stress at the centroid, smoothed
 ---@field s1_smooth any Pa; principal stress, the most tensile, smoothed
 ---@field s2_smooth any Pa; principal stress, the most compressive, smoothed
+---@field stress_error any Pa; estimated error of its stress, mean in energy over the block: √(E e²/A), e² = ∫ Δσ·D⁻¹Δσ dA; 0 where nothing is smoothed
 
 ---@class talus.joint_state
 ---@field id any ; number of the joint, from 1, in VTK too
@@ -732,6 +758,7 @@ function talus.latin_hypercube(fields) end
 ---@field length any m; length at the start
 ---@field normal_traction any Pa; mean normal traction, tension positive
 ---@field shear_traction any Pa; mean shear traction
+---@field traction_jump any Pa; what the stresses of its blocks disagree by in their traction on it, root mean square; 0 beside a rigid one
 ---@field opening any m; mean opening
 ---@field slip any m; mean sliding
 ---@field mid any m; place of its middle now
