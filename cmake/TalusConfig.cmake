@@ -2,7 +2,7 @@
 include(CMakeFindDependencyMacro)
 list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})  # CHOLMOD
 find_dependency(Eigen3 3.4 NO_MODULE)
-find_dependency(VTK 9.1 COMPONENTS CommonCore CommonDataModel IOXML)
+find_dependency(VTK 9.1 COMPONENTS CommonCore CommonDataModel IOCore IOXML)
 find_dependency(CHOLMOD)
 find_dependency(OpenMP COMPONENTS CXX)
 find_dependency(PkgConfig)
@@ -20,5 +20,5 @@ if(NOT TARGET Talus::talus)
     IMPORTED_LOCATION ${TALUS_ARCHIVE}
     INTERFACE_INCLUDE_DIRECTORIES ${TALUS_ROOT}/include/talus
     INTERFACE_COMPILE_FEATURES cxx_std_20
-    INTERFACE_LINK_LIBRARIES "Eigen3::Eigen;PkgConfig::TALUS_LUA;CHOLMOD::CHOLMOD;OpenMP::OpenMP_CXX;VTK::CommonCore;VTK::CommonDataModel;VTK::IOXML;mpfr;gmp")
+    INTERFACE_LINK_LIBRARIES "Eigen3::Eigen;PkgConfig::TALUS_LUA;CHOLMOD::CHOLMOD;OpenMP::OpenMP_CXX;VTK::CommonCore;VTK::CommonDataModel;VTK::IOCore;VTK::IOXML;mpfr;gmp")
 endif()

@@ -4,8 +4,8 @@ local u = talus.units
 local order, h = talus.param("order", 1, "of the blocks"), talus.param("size", 0.1, "of a block, m")
 local theta, integrator = talus.param("theta", 0.75, "of the scheme"), talus.param("integrator", "theta", "theta or newmark")
 local dt, tolerance = talus.param("dt", 1e-5, "time step, s"), talus.param("tolerance", 0, "in place of dt")
-local c, length, n = 2000, 6, nil
-n = math.floor(length/h + 0.5)
+local c, length = 2000, 6
+local n = math.floor(length/h + 0.5)
 local cuts, width = {}, math.min(h, 0.1)
 for i = 1, n - 1 do cuts[i] = talus.trace { points = { {i*h, 0}, {i*h, width} }, bonded = true } end
 local function push(t) return t > 0 and t < 1*u.ms and 1e6*math.sin(math.pi*t/(1*u.ms))^2 or 0 end
