@@ -11,11 +11,10 @@ namespace {
 // contact.
 constexpr double factor_per_pair = 75;
 constexpr int least_worth = 10, most_worth = 200;
-constexpr int pairs_between =
-    100;  // after a step of Newton's, to put its states right: more where fewer would do is cheap
+constexpr int pairs_between = 20;  // after a step of Newton's, to put its states right; in heaps they cost more than a factor
 constexpr int mixed_pairs = 300;  // where Newton's step has led away
 using Carry = ContactSweeps::Carry;
-constexpr int patience = 3;  // iterations that do not halve the change of the sweeps, before the step is cut
+constexpr int patience = 6;  // iterations that do not halve the change of the sweeps, before the step is cut
 constexpr int pairs_alone = 10000;  // where no factor is allowed: as tests/contact gives its candidates
 constexpr int few = 20;             // one state in so many has changed: the coupled law is tried
 constexpr int most_coupled = 4;     // steps of the coupled law in a row
