@@ -38,7 +38,7 @@ SessionOptions named(const Arguments& arguments, const std::string& command) {
   return options;
 }
 
-[[noreturn]] void refuse(const std::string& option, const Setting& setting, const std::string& expected) {
+[[noreturn]] void refuse(const std::string& option, const OptionSetting& setting, const std::string& expected) {
   throw UsageError{option + ": expected " + expected + ", got \"" + setting.text() + '"'};
 }
 
@@ -53,7 +53,7 @@ bool read_steps(const std::string& text, bool word, long& steps) {
 
 CheckpointOptions read_checkpoint(const Arguments& arguments, std::size_t& i) {
   CheckpointOptions options;
-  for (const Setting& setting : settings_after(arguments, i, {"every", "file"})) {
+  for (const OptionSetting& setting : settings_after(arguments, i, {"every", "file"})) {
     if (setting.name == "file") {
       options.file = setting.value;
     } else if (!read_amount(setting.value, durations, options.seconds) && !read_steps(setting.value, true, options.steps)) {
@@ -66,7 +66,7 @@ CheckpointOptions read_checkpoint(const Arguments& arguments, std::size_t& i) {
 
 Limits read_limits(const Arguments& arguments, std::size_t& i) {
   Limits limits;
-  for (const Setting& setting : settings_after(arguments, i, {"time", "memory", "steps"})) {
+  for (const OptionSetting& setting : settings_after(arguments, i, {"time", "memory", "steps"})) {
     double bytes = 0;
     const std::string text = "--limit " + setting.text();
     if (setting.name == "time") {

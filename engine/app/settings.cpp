@@ -16,17 +16,18 @@ bool is_setting(const std::string& word) {
 
 }  // namespace
 
-std::vector<Setting> settings_after(const Arguments& arguments, std::size_t& i, const std::vector<std::string>& known) {
+std::vector<OptionSetting> settings_after(const Arguments& arguments, std::size_t& i,
+                                          const std::vector<std::string>& known) {
   const std::string option = arguments[i];
-  std::vector<Setting> settings;
+  std::vector<OptionSetting> settings;
   for (; i + 1 < arguments.size() && is_setting(arguments[i + 1]); ++i) {
     std::istringstream words(arguments[i + 1]);
     for (std::string word; std::getline(words, word, ',');) {
       const std::size_t equals = std::min(word.find('='), word.size());
-      const Setting setting = {word.substr(0, equals), word.substr(std::min(equals + 1, word.size()))};
+      const OptionSetting setting = {word.substr(0, equals), word.substr(std::min(equals + 1, word.size()))};
       if (std::ranges::find(known, setting.name) == known.end())
         throw UsageError{option + ": there is no \"" + setting.name + "\"" + suggestion(setting.name, known)};
-      if (std::ranges::find(settings, setting.name, &Setting::name) != settings.end())
+      if (std::ranges::find(settings, setting.name, &OptionSetting::name) != settings.end())
         throw UsageError{option + ": expected " + setting.name + " once, got it twice"};
       settings.push_back(setting);
     }

@@ -8,14 +8,15 @@
 
 namespace talus {
 
-struct Setting {
+struct OptionSetting {
   std::string name, value;
   std::string text() const { return name + "=" + value; }
 };
 
 // The words name=value, name=value,… that follow option i, which is moved on to the last of them. Each name is one of
 // `known`, none is given twice, and there is at least one; else UsageError.
-std::vector<Setting> settings_after(const Arguments& arguments, std::size_t& i, const std::vector<std::string>& known);
+std::vector<OptionSetting> settings_after(const Arguments& arguments, std::size_t& i,
+                                          const std::vector<std::string>& known);
 
 // A number above 0 with one of these units behind it. False where the text is none.
 using Units = std::vector<std::pair<std::string, double>>;

@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-constexpr const char* help = R"(talus view folder [options]     writes one page with all that is in a run's results folder: open it in any browser; it needs
+constexpr const char* view_help = R"(talus view folder [options]     writes one page with all that is in a run's results folder: open it in any browser; it needs
                                 no network and no other file
 
   --fields a,b      which arrays of blocks and joints. Default: all but strain and s1_direction
@@ -32,7 +32,7 @@ int view_command(const Arguments& arguments) {
   ViewOptions options;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string argument = arguments[i];
-    if (argument == "--help" || argument == "-h") return std::fputs(help, stdout), exit_ok;
+    if (argument == "--view_help" || argument == "-h") return std::fputs(view_help, stdout), exit_ok;
     if (argument == "--fields") options.fields = comma_separated(value_after(arguments, i));
     else if (argument == "--every") options.every = whole_number(value_after(arguments, i));
     else if (argument == "-o") file = value_after(arguments, i);

@@ -49,10 +49,10 @@ struct Cubic {
 
 constexpr int most_unknowns = 20;
 using Normal = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns, most_unknowns>;
-using Side = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_unknowns, 1>;
+using MonomialRow = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_unknowns, 1>;
 
 // Rows for u and v at p; `terms` monomials of degree < 4 each, and 4 mixed unknowns when `cubic` is given.
-void rows_at(const Vec2& p, int terms, const Cubic* cubic, Side& u, Side& v) {
+void rows_at(const Vec2& p, int terms, const Cubic* cubic, MonomialRow& u, MonomialRow& v) {
   const double x = p.x(), y = p.y(), xx = x * x, yy = y * y;
   const double m[10] = {1, x, y, xx, x * y, yy, xx * x, xx * y, x * yy, yy * y};
   u.setZero();
@@ -239,7 +239,7 @@ Recovery::Fit Recovery::fit(const Model& model, int block, const Vec2& centre) c
   // The fit is made in the block's turned axes, where the equations of elasticity hold.
   const Rotation turned = Rotation::of(model.blocks[block].angle);
   Normal normal = Normal::Zero(unknowns, unknowns);
-  Side right = Side::Zero(unknowns), u(unknowns), v(unknowns);
+  MonomialRow right = MonomialRow::Zero(unknowns), u(unknowns), v(unknowns);
   for (const int corner : patch.corners) {
     const Vec2 place = corner_position_[corner] - at;
     const Vec2 p = place / patch.radius;
@@ -253,7 +253,7 @@ Recovery::Fit Recovery::fit(const Model& model, int block, const Vec2& centre) c
   }
   const Eigen::LDLT<Normal> factor(normal);
   if (factor.vectorD().minCoeff() < least_pivot * factor.vectorD().maxCoeff()) return fit;
-  const Side c = factor.solve(right) / patch.radius;
+  const MonomialRow c = factor.solve(right) / patch.radius;
   fit.found = true;
   fit.centre = centre;
   fit.radius = patch.radius;

@@ -9,7 +9,7 @@ namespace talus {
 
 namespace {
 
-constexpr double number_size = 12, label_size = 13;  // px
+constexpr double number_size = 12, bar_label_size = 13;  // px
 constexpr double outlier_share = 0.02;               // at either end
 constexpr double one_value = 1e-5;  // range / value below which the numbers at the bar would all look the same
 constexpr double flattened = 2.5;  // full range / range without outliers from which they are cut off
@@ -148,10 +148,10 @@ ColourScale category_scale() {
 }
 
 double bar_margin(const ColourBar& bar) {
-  if (!bar.upright) return bar_thickness + 12 + number_size + 6 + label_size;
+  if (!bar.upright) return bar_thickness + 12 + number_size + 6 + bar_label_size;
   double widest = 0;
   for (const BarTick& tick : bar_ticks(bar)) widest = std::max(widest, text_width(tick.text, number_size));
-  return std::max(bar_thickness + 9 + widest, text_width(bar.label, label_size) * (bar.subscripts ? 0.8 : 1));
+  return std::max(bar_thickness + 9 + widest, text_width(bar.label, bar_label_size) * (bar.subscripts ? 0.8 : 1));
 }
 
 void draw_bar(Svg& svg, const ColourBar& bar) {
@@ -171,7 +171,7 @@ void draw_bar(Svg& svg, const ColourBar& bar) {
       svg.text({beside.x(), beside.y() + number_size}, tick.text, {.size = number_size, .align = Align::middle});
     }
   }
-  TextStyle style = {.size = label_size, .subscripts = bar.subscripts};
+  TextStyle style = {.size = bar_label_size, .subscripts = bar.subscripts};
   if (bar.upright) {
     svg.text(bar.corner - Vec2(0, bar.scale.above ? 18 : 10), bar.label, style);
   } else {

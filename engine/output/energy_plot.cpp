@@ -14,7 +14,7 @@ namespace {
 // drawn even so.
 constexpr double visible = 5e-3;
 
-double largest_of(const std::vector<double>& values) {
+double largest_size(const std::vector<double>& values) {
   double largest = 0;
   for (const double value : values) largest = std::max(largest, std::abs(value));
   return largest;
@@ -34,11 +34,11 @@ std::string draw_energies(const Record& record, const Plan& plan) {
       .title = "Energy (full: stored; dashed: put in, lost, unexplained)", .y_label = "E", .y_unit = "J/m"};
   const auto terms = energy_terms(plan);
   double largest = 0;
-  for (size_t k = 0; k < terms.size(); ++k) largest = std::max(largest, largest_of(record.column(k)));
+  for (size_t k = 0; k < terms.size(); ++k) largest = std::max(largest, largest_size(record.column(k)));
   for (size_t k = 0; k < terms.size(); ++k) {
     const bool stored = terms[k]->kind == EnergyTerm::stored || terms[k]->kind == EnergyTerm::sum;
     Series series = {.name = terms[k]->label, .x = record.times(), .y = record.column(k), .dashed = !stored};
-    if (largest_of(series.y) > visible * largest || terms[k]->kind == EnergyTerm::rest)
+    if (largest_size(series.y) > visible * largest || terms[k]->kind == EnergyTerm::rest)
       plot.series.push_back(series);
   }
   return draw_plot(plot);

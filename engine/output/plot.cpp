@@ -11,7 +11,7 @@ namespace talus {
 
 namespace {
 
-constexpr double title_size = 16, legend_size = 13, legend_line = 20, sample = 26;  // px
+constexpr double plot_title_size = 16, legend_size = 13, legend_line = 20, sample = 26;  // px
 
 // Colours that are told apart by colour-blind readers too (Okabe & Ito 2008).
 constexpr std::array<std::string_view, 7> palette = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -121,11 +121,11 @@ std::string draw_plot(const Plot& plot) {
   // Powers of ten say themselves what they are: prefixes are for linear axes.
   const ShownUnit x_unit = shown_unit(plot.x_unit, plot.log_x ? 1 : largest_of(frame.x));
   const ShownUnit y_unit = shown_unit(plot.y_unit, plot.log_y ? 1 : largest_of(frame.y));
-  const double title = plot.title.empty() ? 10 : 18 + title_size;
+  const double title = plot.title.empty() ? 10 : 18 + plot_title_size;
   frame.left = 10 + left_margin(frame.y, plot.height - 120., frame.log_y, y_unit);
   frame.width = plot.width - frame.left - 24;
   Svg svg;
-  if (!plot.title.empty()) svg.text({frame.left, 10 + title_size}, plot.title, {.size = title_size, .bold = true});
+  if (!plot.title.empty()) svg.text({frame.left, 10 + plot_title_size}, plot.title, {.size = plot_title_size, .bold = true});
   const int rows = draw_legend(svg, plot, frame.left, plot.width - 10., title);
   frame.top = title + legend_line * rows + 8;
   frame.height = plot.height - frame.top - 52;

@@ -11,12 +11,12 @@ namespace talus {
 
 namespace {
 
-struct Box {
+struct SceneBox {
   Vec2 low, high;
 };
 
-Box scene_box(const Scene& scene) {
-  Box box{scene.regions[0].outlines[0][0], scene.regions[0].outlines[0][0]};
+SceneBox scene_box(const Scene& scene) {
+  SceneBox box{scene.regions[0].outlines[0][0], scene.regions[0].outlines[0][0]};
   for (const Region& region : scene.regions)
     for (const Polyline& outline : region.outlines)
       for (const Vec2& p : outline) {
@@ -101,7 +101,7 @@ Model build(Scene scene) {
   check_regions(scene);
   default_contact(scene);
   Model model;
-  const Box box = scene_box(scene);
+  const SceneBox box = scene_box(scene);
   const Vec2 centre = (box.low + box.high) / 2, size = box.high - box.low;
   if (centre.norm() > 10 * size.norm()) model.origin = centre;  // else the user's own coordinates
   model.extent = size.minCoeff() > 1e-3 * size.maxCoeff() ? size.y() / 2 : size.maxCoeff() / 2;

@@ -139,6 +139,11 @@ Place user_place(lua_State* L) {
   return {};
 }
 
+void refuse(lua_State* L, const std::string& text) {
+  const Place place = user_place(L);
+  throw ScriptError(ErrorKind::input, (place.file.empty() ? "" : place.text() + ": ") + text);
+}
+
 void protected_call(lua_State* L, int arguments, int results) {
   const int handler = lua_gettop(L) - arguments;
   lua_pushcfunction(L, message_handler);

@@ -17,7 +17,7 @@
 namespace talus {
 namespace {
 
-constexpr const char* metatable = "talus.saved_state";
+constexpr const char* saved_metatable = "talus.saved_state";
 constexpr const char* saving_key = "talus.saving";
 
 struct SavedState {
@@ -25,20 +25,15 @@ struct SavedState {
   std::string from;  // the file; empty: memory
 };
 
-[[noreturn]] void refuse(lua_State* L, const std::string& text) {
-  const Place place = user_place(L);
-  throw ScriptError(ErrorKind::input, (place.file.empty() ? "" : place.text() + ": ") + text);
-}
-
 SavedState& check_saved(lua_State* L, int index) {
-  return *static_cast<SavedState*>(luaL_checkudata(L, index, metatable));
+  return *static_cast<SavedState*>(luaL_checkudata(L, index, saved_metatable));
 }
 
 // With one value beside it: the functions that its loads and supports had.
 SavedState& push_saved(lua_State* L, SavedRun saved, std::string from) {
   void* memory = lua_newuserdatauv(L, sizeof(SavedState), 1);
   auto* state = new (memory) SavedState{std::move(saved), std::move(from)};
-  luaL_setmetatable(L, metatable);
+  luaL_setmetatable(L, saved_metatable);
   return *state;
 }
 
@@ -121,7 +116,7 @@ int saving_open(lua_State* L) {
   if (lua_type(L, 2) == LUA_TSTRING) {
     const std::string path = lua_tostring(L, 2);
     push_saved(L, read_file(L, path), path);
-  } else if (luaL_testudata(L, 2, metatable)) {
+  } else if (luaL_testudata(L, 2, saved_metatable)) {
     lua_pushvalue(L, 2);
   } else {
     refuse(L, "sim:restore: expected a file's name or what sim:save() returned, got " + describe(L, 2));
@@ -181,7 +176,7 @@ int saving_hash(lua_State* L) {
 void open_saved_view(lua_State* L) {
   constexpr luaL_Reg functions[] = {
       {"__tostring", guarded<saved_text>}, {"__gc", saved_collect}, {nullptr, nullptr}};
-  luaL_newmetatable(L, metatable);
+  luaL_newmetatable(L, saved_metatable);
   luaL_setfuncs(L, functions, 0);
   lua_pushboolean(L, false);
   lua_setfield(L, -2, "__metatable");

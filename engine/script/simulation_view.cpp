@@ -26,10 +26,6 @@ constexpr const char* waiting_key = "talus.simulation.waiting";  // runs never s
 
 using Handle = std::shared_ptr<Run>;
 
-[[noreturn]] void refuse(lua_State* L, const std::string& text) {
-  throw ScriptError(ErrorKind::input, user_place(L).text() + ": " + text);
-}
-
 Handle& check_handle(lua_State* L, int index) {
   if (index == 1 && !luaL_testudata(L, 1, metatable))
     refuse(L, "expected a simulation before its method, got " + describe(L, 1) + "; write sim:step(), with a colon");

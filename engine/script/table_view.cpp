@@ -42,10 +42,6 @@ TableView& check_view(lua_State* L) {
   return *static_cast<TableView*>(luaL_checkudata(L, 1, view_metatable));
 }
 
-[[noreturn]] void refuse(lua_State* L, const std::string& text) {
-  throw ScriptError(ErrorKind::input, user_place(L).text() + ": " + text);
-}
-
 ItemView& check_item(lua_State* L) {
   ItemView& item = *static_cast<ItemView*>(luaL_checkudata(L, 1, item_metatable));
   if (item.id >= item_count(item.run->simulation.model, item.kind)) {

@@ -21,7 +21,7 @@ namespace {
 // Equilibrium with contacts is found by steps against a little inertia, which a loose block needs to stay
 // put: this part of (wave speed / size)², far below the slowest mode of what is held.
 constexpr double least_hold = 1e-4;
-constexpr int patience = 6;       // steps that bring equilibrium no nearer
+constexpr int static_patience = 6;  // steps that bring equilibrium no nearer
 constexpr double most_hold = 1e6;  // where that does not help, nothing will
 constexpr int equilibrium_iterations = 200;
 constexpr int held_iterations = 15;  // open–close, before equilibrium is sought against more inertia, where states change less
@@ -82,7 +82,7 @@ struct Softening {
   void watch(double residual, std::vector<double>& hold) {
     stalled = residual > 0.9 * best ? stalled + 1 : 0;
     best = std::min(best, residual);
-    if (stalled > patience) {
+    if (stalled > static_patience) {
       most = std::min(30 * std::max(*std::max_element(hold.begin(), hold.end()), most), most_hold);
       std::fill(hold.begin(), hold.end(), most);
       snaps = true;

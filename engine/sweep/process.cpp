@@ -121,7 +121,7 @@ Captured capture(const std::vector<std::string>& arguments) {
   close(ends[1]);
   Captured captured;
   char buffer[4096];
-  for (ssize_t count; (count = read(ends[0], buffer, sizeof buffer)) != 0;) {
+  for (ssize_t count; (count = ::read(ends[0], buffer, sizeof buffer)) != 0;) {
     if (count > 0) captured.text.append(buffer, static_cast<std::size_t>(count));
     if (count < 0 && errno != EINTR) break;
   }

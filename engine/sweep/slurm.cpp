@@ -28,7 +28,7 @@ bool has_ended(const std::string& state) {
   return ended.contains(state);
 }
 
-std::string last_line(std::string text) {
+std::string last_line_of(std::string text) {
   while (text.ends_with('\n')) text.pop_back();
   return text.substr(text.rfind('\n') + 1);
 }
@@ -119,8 +119,8 @@ void SlurmJob::submit_array(const std::vector<std::string>& names) {
   words.push_back(file);
   const Captured sbatch = capture(words);
   if (sbatch.exit_status == 127) throw RunError("--slurm: there is no sbatch on this machine");
-  if (sbatch.exit_status != 0) throw RunError("--slurm: " + last_line(sbatch.text));
-  std::string id = last_line(sbatch.text);
+  if (sbatch.exit_status != 0) throw RunError("--slurm: " + last_line_of(sbatch.text));
+  std::string id = last_line_of(sbatch.text);
   arrays_.push_back({id.substr(0, id.find(';')), names});
 }
 

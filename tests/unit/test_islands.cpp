@@ -12,7 +12,7 @@ namespace {
 using test::rectangle;
 using test::region;
 
-constexpr double dt = 0.01;
+constexpr double island_dt = 0.01;
 
 // Blocks on one held floor, in motion.
 Scene on_floor(const std::vector<Polyline>& blocks) {
@@ -23,7 +23,7 @@ Scene on_floor(const std::vector<Polyline>& blocks) {
   scene.gravity = {0, -9};
   scene.time.mode = Mode::dynamic;
   scene.time.t_end = 1;
-  scene.time.dt = dt;
+  scene.time.dt = island_dt;
   return scene;
 }
 
@@ -42,9 +42,9 @@ struct Found {
   Islands islands;
   explicit Found(const std::vector<Polyline>& blocks, bool as_one = false) : model(build(on_floor(blocks))) {
     ContactSearch search;
-    search.update(model, dt);
+    search.update(model, island_dt);
     Poses poses;
-    const Scheme scheme = Scheme::theta(dt, 0.75);
+    const Scheme scheme = Scheme::theta(island_dt, 0.75);
     poses.predict(model, scheme);
     terms.linearise(model, poses, scheme, false, {});
     islands.find(model, terms, as_one);

@@ -16,7 +16,7 @@ using test::rectangle;
 // The square [0, 2]² without its upper right quarter.
 const Polyline l_shape = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
 
-Polyline moved(Polyline points, const Vec2& by, double angle = 0, double scale = 1) {
+Polyline shifted(Polyline points, const Vec2& by, double angle = 0, double scale = 1) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (Vec2& p : points) p = by + scale * Vec2(c * p.x() - s * p.y(), s * p.x() + c * p.y());
   return points;
@@ -70,7 +70,7 @@ TEST(PolygonIntegrals, OfARegularPolygonHaveNoDirection) {
 
 TEST(PolygonIntegrals, MomentsTurnAsATensor) {
   const double angle = 0.7, c = std::cos(angle), s = std::sin(angle), xx = 27.0 * 5 / 12, yy = 3.0 * 125 / 12;
-  expect_integrals(moved(rectangle(0, 0, 3, 5), {0, 0}, angle), 15, {1.5 * c - 2.5 * s, 1.5 * s + 2.5 * c},
+  expect_integrals(shifted(rectangle(0, 0, 3, 5), {0, 0}, angle), 15, {1.5 * c - 2.5 * s, 1.5 * s + 2.5 * c},
                    c * c * xx + s * s * yy, s * s * xx + c * c * yy, c * s * (xx - yy));
 }
 
@@ -78,7 +78,7 @@ TEST(PolygonIntegrals, MomentsTurnAsATensor) {
 // the moments by its square.
 TEST(PolygonIntegrals, DoNotDependOnTheOrigin) {
   const double far = 0x1p30;
-  const PolygonIntegrals i = integrate(moved(l_shape, {far, -far}));
+  const PolygonIntegrals i = integrate(shifted(l_shape, {far, -far}));
   EXPECT_EQ(i.area, 3);
   EXPECT_NEAR(i.centroid.x() - far, 5.0 / 6, 0x1p-22);
   EXPECT_NEAR(i.centroid.y() + far, 5.0 / 6, 0x1p-22);
@@ -105,7 +105,7 @@ void expect_reason(const Polyline& polygon, const std::string& part) {
 TEST(PolygonDefect, NoneAtAnySizeAndPlace) {
   for (double scale : {1e-9, 1.0, 1e9})
     for (const Polyline& polygon : {l_shape, star(7), Polyline{{0, 0}, {1, 0}, {0.5, 1e-11}}})
-      EXPECT_EQ(reason(moved(polygon, {1e3 * scale, -2e3 * scale}, 0.3, scale)), "none") << scale;
+      EXPECT_EQ(reason(shifted(polygon, {1e3 * scale, -2e3 * scale}, 0.3, scale)), "none") << scale;
 }
 
 TEST(PolygonDefect, IsNamed) {
@@ -154,7 +154,7 @@ TEST(PolygonContains, RandomPointsOfAStar) {
 
 TEST(PolygonContains, BoundaryCornersAndNotch) {
   for (const Vec2& shift : {Vec2(0, 0), Vec2(1e6, -3e6)}) {
-    const Polyline polygon = moved(star(7), shift, 0.1);
+    const Polyline polygon = shifted(star(7), shift, 0.1);
     for (std::size_t k = 0; k < polygon.size(); ++k) {
       const Vec2 a = polygon[k], b = polygon[(k + 1) % polygon.size()];
       EXPECT_TRUE(contains(polygon, a));
@@ -177,13 +177,13 @@ TEST(PolygonDistance, ToTheNearestEdgeOrCorner) {
 TEST(PolygonOverlap, OfConvexAndOtherPolygons) {
   const Polyline square = rectangle(0.5, 0.5, 1, 1);
   for (const Vec2& far : {Vec2(0, 0), Vec2(0x1p20, 0x1p20)}) {
-    EXPECT_NEAR(overlap_area(moved(l_shape, far), moved(square, far)), 0.75, 1e-12);
-    EXPECT_NEAR(overlap_area(moved(reversed(l_shape), far), moved(square, far)), 0.75, 1e-12);
+    EXPECT_NEAR(overlap_area(shifted(l_shape, far), shifted(square, far)), 0.75, 1e-12);
+    EXPECT_NEAR(overlap_area(shifted(reversed(l_shape), far), shifted(square, far)), 0.75, 1e-12);
   }
   EXPECT_NEAR(overlap_area(l_shape, rectangle(-1, -1, 9, 9)), 3, 1e-12);
   EXPECT_EQ(overlap_area(l_shape, rectangle(1, 1, 1, 1)), 0);  // fills the notch: common edges only
   EXPECT_EQ(overlap_area(l_shape, rectangle(4, 0, 1, 1)), 0);
-  EXPECT_NEAR(overlap_area(star(5), moved(star(5), {0, 0}, 2 * std::numbers::pi / 5)), signed_area(star(5)),
+  EXPECT_NEAR(overlap_area(star(5), shifted(star(5), {0, 0}, 2 * std::numbers::pi / 5)), signed_area(star(5)),
               1e-12);
 }
 

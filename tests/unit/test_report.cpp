@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
+bool has_part(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -66,25 +66,25 @@ TEST(RunReport, TellsWhatWasRunAndHowItWent) {
                               .checks = {{"tip", "1.01", "1 ± 0.02", true}, {"angle", "3", "< 2", false}},
                               .restores = {{"x.state", 300, 0.5}}};
   const std::string json = run_report(simulation, account);
-  EXPECT_TRUE(has(json, "\"talus\": \"" + versions().talus + "\""));
-  EXPECT_TRUE(has(json, "\"vtk\": \"9."));
-  EXPECT_TRUE(has(json, "\"scene\": \"examples/x.lua\""));
-  EXPECT_TRUE(has(json, "\"command_line\": \"talus \\\"x y.lua\\\"\""));
-  EXPECT_TRUE(has(json, "\"outcome\": \"stopped\""));
-  EXPECT_TRUE(has(json, "\"state_hash\": \"" + hex(simulation.hash()) + "\""));
-  EXPECT_TRUE(has(json, "\"from\": \"x.state\",\n      \"step\": 300,\n      \"time\": 0.5"));
-  EXPECT_TRUE(has(json, "\"blocks\": 1,"));
-  EXPECT_TRUE(has(json, "\"unknowns\": 6,"));
-  EXPECT_TRUE(has(json, "\"steps\": 7,"));
-  EXPECT_TRUE(has(json, "\"step_cuts\": 2,"));
-  EXPECT_TRUE(has(json, "\"largest_iterations\": 9,"));
-  EXPECT_TRUE(has(json, "\"largest_residual\": null,"));
-  EXPECT_TRUE(has(json, "\"solve\": 0.25,"));
-  EXPECT_TRUE(has(json, "\"total\": 1.5\n"));
-  EXPECT_TRUE(has(json, "\"wall_seconds\": 2,"));
-  EXPECT_TRUE(has(json, "\"expected\": \"1 ± 0.02\",\n      \"pass\": true"));
-  EXPECT_TRUE(has(json, "\"value\": \"3\",\n      \"expected\": \"< 2\",\n      \"pass\": false"));
-  EXPECT_TRUE(has(json, simulation.plan.lines.at(0).first + ": "));
+  EXPECT_TRUE(has_part(json, "\"talus\": \"" + versions().talus + "\""));
+  EXPECT_TRUE(has_part(json, "\"vtk\": \"9."));
+  EXPECT_TRUE(has_part(json, "\"scene\": \"examples/x.lua\""));
+  EXPECT_TRUE(has_part(json, "\"command_line\": \"talus \\\"x y.lua\\\"\""));
+  EXPECT_TRUE(has_part(json, "\"outcome\": \"stopped\""));
+  EXPECT_TRUE(has_part(json, "\"state_hash\": \"" + hex(simulation.hash()) + "\""));
+  EXPECT_TRUE(has_part(json, "\"from\": \"x.state\",\n      \"step\": 300,\n      \"time\": 0.5"));
+  EXPECT_TRUE(has_part(json, "\"blocks\": 1,"));
+  EXPECT_TRUE(has_part(json, "\"unknowns\": 6,"));
+  EXPECT_TRUE(has_part(json, "\"steps\": 7,"));
+  EXPECT_TRUE(has_part(json, "\"step_cuts\": 2,"));
+  EXPECT_TRUE(has_part(json, "\"largest_iterations\": 9,"));
+  EXPECT_TRUE(has_part(json, "\"largest_residual\": null,"));
+  EXPECT_TRUE(has_part(json, "\"solve\": 0.25,"));
+  EXPECT_TRUE(has_part(json, "\"total\": 1.5\n"));
+  EXPECT_TRUE(has_part(json, "\"wall_seconds\": 2,"));
+  EXPECT_TRUE(has_part(json, "\"expected\": \"1 ± 0.02\",\n      \"pass\": true"));
+  EXPECT_TRUE(has_part(json, "\"value\": \"3\",\n      \"expected\": \"< 2\",\n      \"pass\": false"));
+  EXPECT_TRUE(has_part(json, simulation.plan.lines.at(0).first + ": "));
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ TEST(SecondOrder, BondsLetThroughAnyQuadraticField) {
   EXPECT_GT(inner, 20);
 }
 
-std::vector<std::pair<std::string, Model>> ugly_meshes() {
+std::vector<std::pair<std::string, Model>> ugly_second_order_meshes() {
   std::vector<std::pair<std::string, Model>> list;
   const auto add = [&list](const std::string& name, const Scene& scene) {
     list.emplace_back(name, build(second_order(scene)));
@@ -178,7 +178,7 @@ std::vector<std::pair<std::string, Model>> ugly_meshes() {
 
 // On the ground at one point of a block, so that three rigid motions are left at most. Scaled to a unit diagonal.
 TEST(SecondOrder, BondsArePositiveJustAboveTheProvenStiffness) {
-  for (auto& [name, model] : ugly_meshes()) {
+  for (auto& [name, model] : ugly_second_order_meshes()) {
     const Dense k = Assembled(model).dense();
     const Vector scale = k.diagonal().cwiseSqrt().cwiseInverse();
     const Dense scaled = scale.asDiagonal() * k * scale.asDiagonal();

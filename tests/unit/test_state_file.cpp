@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string scratch(const std::string& name) {
+std::string scratch_state(const std::string& name) {
   const fs::path dir = fs::temp_directory_path() / ("talus_test_state_" + std::to_string(getpid()));
   fs::create_directories(dir);
   return (dir / name).string();
 }
 
-std::string content(const std::string& path) {
+std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bytes;
   bytes << file.rdbuf();
@@ -42,7 +42,7 @@ SavedRun sample() {
 }
 
 TEST(StateFile, ReadsBackWhatWasWritten) {
-  const std::string path = scratch("whole.state");
+  const std::string path = scratch_state("whole.state");
   const SavedRun saved = sample();
   write_state(path, saved);
   const SavedRun back = read_state(path);
@@ -60,9 +60,9 @@ TEST(StateFile, ReadsBackWhatWasWritten) {
 }
 
 TEST(StateFile, CutAtAnyLengthIsRefused) {
-  const std::string path = scratch("cut.state");
+  const std::string path = scratch_state("cut.state");
   write_state(path, sample());
-  const std::string whole = content(path);
+  const std::string whole = bytes_of(path);
   for (std::size_t length = 0; length < whole.size(); ++length) {
     write_whole(path, whole.substr(0, length));
     EXPECT_THROW(read_state(path), StateError) << length;
@@ -72,9 +72,9 @@ TEST(StateFile, CutAtAnyLengthIsRefused) {
 }
 
 TEST(StateFile, AnyByteChangedIsRefused) {
-  const std::string path = scratch("flipped.state");
+  const std::string path = scratch_state("flipped.state");
   write_state(path, sample());
-  const std::string whole = content(path);
+  const std::string whole = bytes_of(path);
   for (std::size_t at = 0; at < whole.size(); ++at)
     for (const int bit : {1, 128}) {
       std::string flipped = whole;
@@ -85,7 +85,7 @@ TEST(StateFile, AnyByteChangedIsRefused) {
 }
 
 TEST(StateFile, TheFormerFileStaysWhenTheNewOneCannotBeWritten) {
-  const std::string path = scratch("none/x.state");
+  const std::string path = scratch_state("none/x.state");
   EXPECT_THROW(write_state(path, sample()), RunError);
   EXPECT_THROW(read_state(path), StateError);
 }

@@ -194,7 +194,7 @@ TEST(ResultsTable, HasARowARun) {
             "angle=1_friction=4,1,4,not run,,\"a, \"\"b\"\"\",,\n");
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
+std::size_t count_parts(const std::string& text, const std::string& part) {
   std::size_t found = 0;
   for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++found;
   return found;
@@ -205,7 +205,7 @@ TEST(Plots, FollowTheNumberOfParametersThatVary) {
   EXPECT_EQ(plots_of(grid({1, 2, 3}, {5}, one), one)[0].svgs.size(), 1u);
   const auto both = plots_of(grid({1, 2, 3}, {5, 6}, two), two);
   ASSERT_EQ(both[0].svgs.size(), 2u);  // a map, and curves
-  EXPECT_EQ(count(both[0].svgs[0], "linearGradient id="), 1u);
+  EXPECT_EQ(count_parts(both[0].svgs[0], "linearGradient id="), 1u);
   EXPECT_NE(both[0].svgs[1].find("friction = 6"), std::string::npos);
   // More curves than colours: the map alone.
   EXPECT_EQ(plots_of(grid({1, 2, 3}, {1, 2, 3, 4, 5, 6, 7, 8}, many), many)[0].svgs.size(), 1u);
@@ -243,7 +243,7 @@ TEST(Plots, TakeTheMeanOverSeeds) {
   const auto plots = plots_of(study, rows);
   ASSERT_EQ(plots[0].svgs.size(), 1u);
   EXPECT_NE(plots[0].svgs[0].find("mean over the seeds"), std::string::npos);
-  EXPECT_EQ(count(plots[0].svgs[0], "<circle"), 2 + 4 + 2u);  // means, runs, the legend
+  EXPECT_EQ(count_parts(plots[0].svgs[0], "<circle"), 2 + 4 + 2u);  // means, runs, the legend
 }
 
 TEST(ValueMap, HasACellAValueAndSaysIt) {
@@ -254,10 +254,10 @@ TEST(ValueMap, HasACellAValueAndSaysIt) {
       map.values.push_back(x == 4 && y == 20 ? NAN : x * y);
     }
   const std::string svg = draw_map(map);
-  EXPECT_EQ(count(svg, "<rect"), 1 + 5 + 1 + 1u);  // paper, cells, frame, bar
+  EXPECT_EQ(count_parts(svg, "<rect"), 1 + 5 + 1 + 1u);  // paper, cells, frame, bar
   EXPECT_NE(svg.find(">40<"), std::string::npos);
   map.cells = false;
-  EXPECT_EQ(count(draw_map(map), "<circle"), 5u);
+  EXPECT_EQ(count_parts(draw_map(map), "<circle"), 5u);
 }
 
 TEST(ResultsPage, IsOneFileWithNamesOfItsOwn) {
@@ -276,7 +276,7 @@ TEST(ResultsPage, IsOneFileWithNamesOfItsOwn) {
     names.insert(page.substr(at + 5, page.find('"', at + 5) - at - 5));
   EXPECT_EQ(found, 2u);
   EXPECT_EQ(names.size(), found);
-  for (const std::string& name : names) EXPECT_EQ(count(page, "url(#" + name + ")"), 1u);
+  for (const std::string& name : names) EXPECT_EQ(count_parts(page, "url(#" + name + ")"), 1u);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ using test::cell_outline;
 using test::expect_tessellation;
 using test::rectangle;
 
-LengthAt uniform(double length) {
+LengthAt everywhere(double length) {
   return [length](const Vec2&) { return length; };
 }
 
@@ -33,11 +33,11 @@ TEST(Tidy, ThicknessIsTheRadiusOfAnInscribedCircle) {
 
 TEST(Tidy, CountsSliversAndNamesTheThinnest) {
   const Tessellation t = cut({square, {}, {{{0, 0.5}, {1, 0.5}}, {{0, 0.51}, {1, 0.51}}, {{0, 0.8}, {1, 0.804}}}});
-  const SliverCount count = count_slivers(t, uniform(0.05));
+  const SliverCount count = count_slivers(t, everywhere(0.05));
   EXPECT_EQ(count.cells, 1);
   EXPECT_NEAR(count.where.y(), 0.505, 1e-9);
   EXPECT_NEAR(count.thickness, 2 * 0.01 / 2.02, 1e-9);
-  EXPECT_EQ(count_slivers(t, uniform(0.005)).cells, 0);
+  EXPECT_EQ(count_slivers(t, everywhere(0.005)).cells, 0);
 }
 
 // Two joints that run into each other at half a degree leave a wedge; it goes to one side, whole, and takes its
@@ -45,7 +45,7 @@ TEST(Tidy, CountsSliversAndNamesTheThinnest) {
 TEST(Tidy, AWedgeBetweenTwoJointsIsMerged) {
   Tessellation t = cut({square, {}, {{{0, 0.5}, {1, 0.5}}, {{0, 0.5}, {1, 0.51}}}});
   ASSERT_EQ(t.cells.size(), 3u);
-  EXPECT_EQ(merge_slivers(t, uniform(0.02), true), 1);
+  EXPECT_EQ(merge_slivers(t, everywhere(0.02), true), 1);
   expect_tessellation(t, 1);
   EXPECT_EQ(t.cells.size(), 2u);
   for (const auto& cell : t.cells) EXPECT_EQ(cell.size(), 4u);
@@ -55,10 +55,10 @@ TEST(Tidy, AWedgeBetweenTwoJointsIsMerged) {
 TEST(Tidy, AcrossTracesOnlyWhereAllowed) {
   const std::vector<Polyline> lines = {{{0, 0.5}, {1, 0.5}}, {{0, 0.51}, {1, 0.51}}};
   Tessellation t = cut({square, {}, lines});
-  EXPECT_EQ(merge_slivers(t, uniform(0.1), false), 0);
+  EXPECT_EQ(merge_slivers(t, everywhere(0.1), false), 0);
   EXPECT_EQ(t.cells.size(), 3u);
   t.interfaces[0].trace = -1;  // now the lower one, or the upper one, is no joint
-  EXPECT_EQ(merge_slivers(t, uniform(0.1), false), 1);
+  EXPECT_EQ(merge_slivers(t, everywhere(0.1), false), 1);
   expect_tessellation(t, 1);
   EXPECT_EQ(t.interfaces.size(), 1u);
   EXPECT_GE(t.interfaces[0].trace, 0);
@@ -68,8 +68,8 @@ TEST(Tidy, AcrossTracesOnlyWhereAllowed) {
 TEST(Tidy, ThreeJointsAllButThroughOnePoint) {
   Tessellation t = cut({square, {}, {{{0, 0}, {1, 1}}, {{0, 1}, {1, 0}}, {{0.505, 0}, {0.505, 1}}}});
   ASSERT_EQ(t.cells.size(), 7u);
-  EXPECT_EQ(merge_slivers(t, uniform(0.02), true), 1);
-  EXPECT_GE(close_short_edges(t, uniform(0.02), {square}), 1);
+  EXPECT_EQ(merge_slivers(t, everywhere(0.02), true), 1);
+  EXPECT_GE(close_short_edges(t, everywhere(0.02), {square}), 1);
   expect_tessellation(t, 1);
   EXPECT_EQ(t.cells.size(), 6u);
   EXPECT_GT(shortest_edge(t), 0.4);
@@ -78,8 +78,8 @@ TEST(Tidy, ThreeJointsAllButThroughOnePoint) {
 // A point on a side slides along it; corners that were given stay.
 TEST(Tidy, TheBoundaryKeepsItsShape) {
   Tessellation t = cut({square, {}, {{{0.01, 0}, {0.4, 1}}, {{0.6, 0}, {0.61, 1}}, {{0.605, 0}, {0.9, 1}}}});
-  merge_slivers(t, uniform(0.02), true);
-  EXPECT_EQ(close_short_edges(t, uniform(0.02), {square}), 2);
+  merge_slivers(t, everywhere(0.02), true);
+  EXPECT_EQ(close_short_edges(t, everywhere(0.02), {square}), 2);
   expect_tessellation(t, 1);
   EXPECT_GT(shortest_edge(t), 0.02);
   for (const Vec2& p : square) EXPECT_EQ(std::count(t.points.begin(), t.points.end(), p), 1);
@@ -88,8 +88,8 @@ TEST(Tidy, TheBoundaryKeepsItsShape) {
 TEST(Tidy, NothingToDoChangesNothing) {
   const Tessellation before = cut({square, {}, {{{0, 0.3}, {1, 0.4}}, {{0.5, 0}, {0.6, 1}}}});
   Tessellation t = before;
-  EXPECT_EQ(merge_slivers(t, uniform(0.02), true), 0);
-  EXPECT_EQ(close_short_edges(t, uniform(0.02), {square}), 0);
+  EXPECT_EQ(merge_slivers(t, everywhere(0.02), true), 0);
+  EXPECT_EQ(close_short_edges(t, everywhere(0.02), {square}), 0);
   EXPECT_TRUE(test::same(t, before));
 }
 

@@ -31,13 +31,13 @@ namespace {
 using test::moved_squares;
 using test::two_squares;
 
-std::string scratch(const std::string& name) {
+std::string scratch_vtk(const std::string& name) {
   const auto dir = std::filesystem::temp_directory_path() / ("talus_test_vtk_" + std::to_string(getpid()));
   std::filesystem::create_directories(dir);
   return (dir / name).string();
 }
 
-std::string content(const std::string& path) {
+std::string text_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream text;
   text << file.rdbuf();
@@ -66,8 +66,8 @@ std::string name(vtkPolyData* data, const char* array, int id) {
 
 TEST(VtkBlocks, ReadBackAsPolygonsInUserCoordinates) {
   const Model model = moved_squares();
-  write_blocks_vtp(scratch("blocks.vtp"), {model, nullptr}, {});
-  const auto data = read(scratch("blocks.vtp"));
+  write_blocks_vtp(scratch_vtk("blocks.vtp"), {model, nullptr}, {});
+  const auto data = read(scratch_vtk("blocks.vtp"));
   ASSERT_EQ(data->GetNumberOfPolys(), 2);
   ASSERT_EQ(data->GetNumberOfPoints(), 8);
   EXPECT_EQ(data->GetCell(1)->GetNumberOfPoints(), 4);
@@ -81,8 +81,8 @@ TEST(VtkBlocks, ReadBackAsPolygonsInUserCoordinates) {
 
 TEST(VtkBlocks, ArraysHoldTheFields) {
   const Model model = moved_squares();
-  write_blocks_vtp(scratch("blocks.vtp"), {model, nullptr}, {{"heat", {7.5, -2}}});
-  const auto data = read(scratch("blocks.vtp"));
+  write_blocks_vtp(scratch_vtk("blocks.vtp"), {model, nullptr}, {{"heat", {7.5, -2}}});
+  const auto data = read(scratch_vtk("blocks.vtp"));
   EXPECT_EQ(cell(data, "id", 0), 1);  // as sim.blocks[1] of Lua
   EXPECT_EQ(cell(data, "id", 1), 2);
   EXPECT_EQ(cell(data, "region", 1), 1);
@@ -106,8 +106,8 @@ TEST(VtkBlocks, SmoothedStressesOfTheRecovery) {
   const Model model = moved_squares();
   const Recovery recovery(model);
   const std::vector<Vec3> smoothed = {{3, -1, 2}, {7, 8, 0}};
-  write_blocks_vtp(scratch("blocks.vtp"), {model, &recovery, &smoothed}, {});
-  const auto data = read(scratch("blocks.vtp"));
+  write_blocks_vtp(scratch_vtk("blocks.vtp"), {model, &recovery, &smoothed}, {});
+  const auto data = read(scratch_vtk("blocks.vtp"));
   EXPECT_EQ(cell(data, "sxy_smooth", 0), 2);
   EXPECT_EQ(cell(data, "syy_smooth", 1), 8);
   EXPECT_DOUBLE_EQ(cell(data, "s1_smooth", 0), 1 + std::sqrt(8.0));
@@ -118,22 +118,22 @@ TEST(VtkBlocks, SmoothedStressesOfTheRecovery) {
 TEST(VtkBlocks, NamesAndTime) {
   Model model = two_squares();
   model.time = 0.125;
-  write_blocks_vtp(scratch("blocks.vtp"), {model, nullptr}, {});
-  const auto data = read(scratch("blocks.vtp"));
+  write_blocks_vtp(scratch_vtk("blocks.vtp"), {model, nullptr}, {});
+  const auto data = read(scratch_vtk("blocks.vtp"));
   EXPECT_EQ(name(data, "region_names", 1), "right");
   EXPECT_EQ(name(data, "material_names", 0), "rock");
   EXPECT_EQ(data->GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.125);
 }
 
 TEST(VtkBlocks, RawAppendedLz4) {
-  write_blocks_vtp(scratch("blocks.vtp"), {two_squares(), nullptr}, {});
-  const std::string file = content(scratch("blocks.vtp"));
+  write_blocks_vtp(scratch_vtk("blocks.vtp"), {two_squares(), nullptr}, {});
+  const std::string file = text_of(scratch_vtk("blocks.vtp"));
   EXPECT_NE(file.find("compressor=\"vtkLZ4DataCompressor\""), std::string::npos);
   EXPECT_NE(file.find("<AppendedData encoding=\"raw\">"), std::string::npos);
 }
 
 TEST(VtkBlocks, PlaceThatCannotBeWrittenIsARunError) {
-  EXPECT_THROW(write_blocks_vtp(scratch("no/such/dir.vtp"), {two_squares(), nullptr}, {}), RunError);
+  EXPECT_THROW(write_blocks_vtp(scratch_vtk("no/such/dir.vtp"), {two_squares(), nullptr}, {}), RunError);
 }
 
 TEST(VtkJoints, JointAndContactAsLines) {
@@ -141,8 +141,8 @@ TEST(VtkJoints, JointAndContactAsLines) {
   model.joints[0].state = JointState::failed;
   model.blocks[1].centroid += Vec2(0.2, 0);
   model.place_vertices();
-  write_joints_vtp(scratch("joints.vtp"), model);
-  const auto data = read(scratch("joints.vtp"));
+  write_joints_vtp(scratch_vtk("joints.vtp"), model);
+  const auto data = read(scratch_vtk("joints.vtp"));
   ASSERT_EQ(data->GetNumberOfLines(), 2);
   EXPECT_EQ(cell(data, "kind", 0), 0);
   EXPECT_EQ(cell(data, "kind", 1), 1);
@@ -167,8 +167,8 @@ TEST(VtkJoints, JointAndContactAsLines) {
 
 TEST(VtkJoints, ContactIsThePartOfTheEdgeItStandsFor) {
   Model model = two_squares();
-  write_joints_vtp(scratch("joints.vtp"), model);
-  auto data = read(scratch("joints.vtp"));
+  write_joints_vtp(scratch_vtk("joints.vtp"), model);
+  auto data = read(scratch_vtk("joints.vtp"));
   // From its corner at the lower end half way up the side that both blocks share.
   EXPECT_NEAR(data->GetPoint(2)[0], 101, 1e-12);
   EXPECT_NEAR(data->GetPoint(2)[1], 50, 1e-12);
@@ -176,8 +176,8 @@ TEST(VtkJoints, ContactIsThePartOfTheEdgeItStandsFor) {
   // Block 0 lower by 0.4: its corner rests beyond the edge's end, and half of the common 0.6 m is drawn.
   model.blocks[0].centroid.y() -= 0.4;
   model.place_vertices();
-  write_joints_vtp(scratch("joints.vtp"), model);
-  data = read(scratch("joints.vtp"));
+  write_joints_vtp(scratch_vtk("joints.vtp"), model);
+  data = read(scratch_vtk("joints.vtp"));
   EXPECT_NEAR(data->GetPoint(2)[1], 50, 1e-12);
   EXPECT_NEAR(data->GetPoint(3)[1], 50.3, 1e-12);
 }
@@ -188,8 +188,8 @@ TEST(VtkJoints, ContactWithoutLengthIsSeen) {
     if (turn == 0) model.contacts[0].kind = ContactKind::angle_edge;
     model.blocks[0].angle = turn;
     model.place_vertices();
-    write_joints_vtp(scratch("joints.vtp"), model);
-    const auto data = read(scratch("joints.vtp"));
+    write_joints_vtp(scratch_vtk("joints.vtp"), model);
+    const auto data = read(scratch_vtk("joints.vtp"));
     const double low = data->GetPoint(3)[1], high = data->GetPoint(2)[1];
     EXPECT_NEAR(std::abs(high - low), 0.02, 1e-12);
     EXPECT_GE(std::min(low, high), 50);
@@ -211,8 +211,8 @@ TEST(VtkJoints, ContactsOfAFaceCoverIt) {
     contact.global_edge = 6;
     model.contacts.push_back(contact);
   }
-  write_joints_vtp(scratch("joints.vtp"), model);
-  const auto data = read(scratch("joints.vtp"));
+  write_joints_vtp(scratch_vtk("joints.vtp"), model);
+  const auto data = read(scratch_vtk("joints.vtp"));
   EXPECT_NEAR(data->GetPoint(0)[0], 2, 1e-12);
   EXPECT_NEAR(data->GetPoint(1)[0], 7, 1e-12);
   EXPECT_NEAR(data->GetPoint(2)[0], 12, 1e-12);
@@ -223,8 +223,8 @@ TEST(VtkJoints, EmptyFrameCanBeRead) {
   Model model = two_squares();
   model.joints.clear();
   model.contacts.clear();
-  write_joints_vtp(scratch("joints.vtp"), model);
-  EXPECT_EQ(read(scratch("joints.vtp"))->GetNumberOfCells(), 0);
+  write_joints_vtp(scratch_vtk("joints.vtp"), model);
+  EXPECT_EQ(read(scratch_vtk("joints.vtp"))->GetNumberOfCells(), 0);
 }
 
 // A hole of 0.2 m in two halves, the gas at 10 m/s: after 50 ms it has come 0.5 m from the centre, 0.4 of the 0.9 m of each joint.
@@ -239,8 +239,8 @@ TEST(VtkCracks, ShowHowFarTheGasHasCome) {
   scene.charges = {{{}, "charge", 0, 0, 0, 0, polytropic(1e-3, 1.4), [](const GasMoment&) { return 10.; }, {}, {}}};
   Simulation simulation(scene);
   while (!simulation.finished()) simulation.step();
-  write_cracks_vtp(scratch("cracks.vtp"), simulation.model, simulation.gas());
-  const auto data = read(scratch("cracks.vtp"));
+  write_cracks_vtp(scratch_vtk("cracks.vtp"), simulation.model, simulation.gas());
+  const auto data = read(scratch_vtk("cracks.vtp"));
   ASSERT_EQ(data->GetNumberOfCells(), 2);
   for (const int joint : {0, 1}) {
     EXPECT_NEAR(cell(data, "gas", joint), 0.4 / 0.9, 1e-3);
@@ -249,14 +249,14 @@ TEST(VtkCracks, ShowHowFarTheGasHasCome) {
 }
 
 TEST(Pvd, ListsAllFramesSoFar) {
-  PvdSeries series(std::filesystem::path(scratch("x")).parent_path().string(), "series");
+  PvdSeries series(std::filesystem::path(scratch_vtk("x")).parent_path().string(), "series");
   series.add(0, "a_00000.vtp");
   series.add(0.1, "a_00001.vtp");
-  const std::string file = content(scratch("series.pvd"));
+  const std::string file = text_of(scratch_vtk("series.pvd"));
   EXPECT_NE(file.find("timestep=\"0\" part=\"0\" file=\"a_00000.vtp\""), std::string::npos);
   EXPECT_NE(file.find("timestep=\"0.1\" part=\"0\" file=\"a_00001.vtp\""), std::string::npos);
   EXPECT_NE(file.find("</VTKFile>"), std::string::npos);
-  EXPECT_FALSE(std::filesystem::exists(scratch("series.pvd.part")));
+  EXPECT_FALSE(std::filesystem::exists(scratch_vtk("series.pvd.part")));
 }
 
 }  // namespace
