@@ -529,6 +529,13 @@ void Stepper::give_up(const OpenCloseResult& result, double dt) const {
   std::string message = text;
   for (const Contact& c : model_.contacts)
     if ((c.i == result.worst_block || c.j == result.worst_block) && message.size() < 900)
+  if (!std::isfinite(result.residual)) {
+    std::snprintf(text, sizeof text,
+                  "t = %.9g s: the forces on %s are beyond the largest number: gravity, a load, a stiffness or a speed of the scene "
+                  "is too large",
+                  model_.time, block_name(model_, std::max(result.worst_block, 0)).c_str());
+    throw RunError(text);
+  }
       message += "; it touches " + block_name(model_, c.i == result.worst_block ? c.j : c.i);
   throw RunError(message);
 }
