@@ -32,7 +32,7 @@ bool is_own(std::string_view name) {
   if (name.ends_with(unfinished)) name.remove_suffix(unfinished.size());
   for (const std::string_view own :
        {"blocks.pvd", "joints.pvd", "cracks.pvd", "history.csv", "history_before.csv", "energy.svg", "gas_pressure.svg",
-         "gas_volume.svg", "load_displacement.svg", "run.json", "report.html", "view.html", "checkpoint.state"})
+         "gas_volume.svg", "load_displacement.svg", "run.json", "report.html", "view.html", "paraview.py", "checkpoint.state"})
     if (name == own) return true;
   return is_frame(name, "blocks_", ".vtp") || is_frame(name, "joints_", ".vtp") ||
          is_frame(name, "cracks_", ".vtp") || is_frame(name, "picture_", ".svg");

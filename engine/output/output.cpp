@@ -10,6 +10,7 @@
 #include "output/curves.h"
 #include "output/files.h"
 #include "output/history.h"
+#include "output/paraview.h"
 #include "output/picture_field.h"
 #include "output/pvd.h"
 #include "output/report.h"
@@ -123,6 +124,7 @@ RunOutput::RunOutput(Simulation& simulation, const std::string& command_line, bo
   parts_->curves.begin(simulation);
   parts_->history.emplace(parts_->dir + "/history.csv", simulation.model, simulation.plan, resumed);
   if (!scene.output.vtk) return;
+  write_whole(parts_->dir + "/paraview.py", paraview_state(scene.output));
   parts_->blocks.emplace(parts_->dir, "blocks");
   if (simulation.plan.bonds || simulation.plan.contacts) parts_->joints.emplace(parts_->dir, "joints");
   if (simulation.plan.fracture || simulation.plan.gas) parts_->cracks.emplace(parts_->dir, "cracks");

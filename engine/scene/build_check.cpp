@@ -1,4 +1,4 @@
-// What can be wrong with regions, said before any block is made.
+// What can be wrong with regions and their weight, said before any block is made.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -231,6 +231,15 @@ void check_mesh(const Region& region, long most) {
                    "about " + count_text(blocks) + " from " + number(mesh.size) + " m");
 }
 
+// Sums of squares of forces are still numbers.
+void check_weight(const Scene& scene, const Region& region) {
+  constexpr double most = 1e100;  // N/m
+  const double weight = scene.materials[region.material].density * area_of(region) * scene.gravity.norm();
+  if (weight < most) return;
+  throw InputError(scene.time.place, "simulation.gravity", "less than " + number(most) + " N/m for the weight of a region",
+                   number(weight) + " N/m for region \"" + region.name + "\" under " + pair_text(scene.gravity) + " m/s2");
+}
+
 }  // namespace
 
 void check_regions(Scene& scene) {
@@ -240,6 +249,7 @@ void check_regions(Scene& scene) {
     for (size_t i = 0; i < region.outlines.size(); ++i)
       check_outline(region.outlines[i], region.place, region.outlines.size() == 1 ? field : field + ", block " + std::to_string(i + 1));
     check_holes(region);
+    check_weight(scene, region);
     check_joint_sets(region, scene.max_blocks);
     check_mesh(region, scene.max_blocks);
   }

@@ -22,6 +22,9 @@ bool held = false;
 double grace = 0, grace_ends = 0;  // s; of the clock, 0: nothing came yet
 std::string time_reason, last_words;
 int time_status = 0;
+bool time_limited = false;
+volatile std::sig_atomic_t rung = 0;  // the clock
+struct sigaction before_int, before_term, before_alarm;  // handlers of the program that the run is in
 
 std::string signal_text() {
   if (signal_seen == SIGALRM) return time_reason;
@@ -50,7 +53,6 @@ void on_signal(int number) {
 
 // The clock rings again after `patience`.
 void on_alarm(int) {
-  static volatile std::sig_atomic_t rung = 0;
   if (rung) {
     if (write(STDERR_FILENO, last_words.data(), last_words.size()) < 0) _exit(time_status);
     _exit(time_status);
@@ -59,12 +61,12 @@ void on_alarm(int) {
   if (!signal_seen) on_signal(SIGALRM);
 }
 
-void set_handler(int number, void (*handler)(int), int flags = SA_RESETHAND) {
+void set_handler(int number, void (*handler)(int), int flags, struct sigaction& before) {
   struct sigaction action {};
   action.sa_handler = handler;
-  action.sa_flags = handler == SIG_DFL ? 0 : flags;
+  action.sa_flags = flags;
   sigemptyset(&action.sa_mask);
-  sigaction(number, &action, nullptr);
+  sigaction(number, &action, &before);
 }
 
 timeval time_of(double seconds) {
@@ -78,8 +80,8 @@ Interrupts::Interrupts(lua_State* L, double seconds) {
   running = L;
   grace = seconds;
   grace_ends = 0;
-  set_handler(SIGINT, on_signal);
-  set_handler(SIGTERM, on_signal);
+  set_handler(SIGINT, on_signal, SA_RESETHAND, before_int);
+  set_handler(SIGTERM, on_signal, SA_RESETHAND, before_term);
 }
 
 void Interrupts::limit_time(double seconds, const std::string& reason, int status) {
@@ -87,16 +89,26 @@ void Interrupts::limit_time(double seconds, const std::string& reason, int statu
   last_words = "talus: " + reason + "; after " + std::to_string(patience) +
                " s more the step is not done, and is left: results are those written before it\n";
   time_status = status;
-  set_handler(SIGALRM, on_alarm, SA_RESTART);
+  time_limited = true;
+  rung = 0;
+  set_handler(SIGALRM, on_alarm, SA_RESTART, before_alarm);
   const itimerval timer = {.it_interval = time_of(patience), .it_value = time_of(std::max(seconds, 1e-3))};
   setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
 Interrupts::~Interrupts() {
-  set_handler(SIGINT, SIG_DFL);
-  set_handler(SIGTERM, SIG_DFL);
+  sigaction(SIGINT, &before_int, nullptr);
+  sigaction(SIGTERM, &before_term, nullptr);
   lua_sethook(running, nullptr, 0, 0);
   running = nullptr;
+}
+
+void end_time_limit() {
+  if (!time_limited) return;
+  const itimerval none = {};
+  setitimer(ITIMER_REAL, &none, nullptr);
+  sigaction(SIGALRM, &before_alarm, nullptr);
+  time_limited = false;
 }
 
 int interrupt_signal() {

@@ -9,7 +9,7 @@ namespace talus {
 
 class Interrupts {
  public:
-  // One at a time. With `grace`, s, the script has so long to come to its next step by itself: what it notes down of
+  // One at a time; the handlers that were there before come back with its end. With `grace`, s, the script has so long to come to its next step by itself: what it notes down of
   // the last one is then complete when the state is saved.
   explicit Interrupts(lua_State* L, double grace = 0);
   ~Interrupts();
@@ -19,6 +19,9 @@ class Interrupts {
   // Interrupts after so many seconds, with this reason; the process exits with `status` where that does not help.
   void limit_time(double seconds, const std::string& reason, int status);
 };
+
+// The time is no longer looked at; for a program that goes on when the results are written.
+void end_time_limit();
 
 int interrupt_signal();  // what came: a signal's number, SIGALRM for the end of the time, or 0
 

@@ -53,8 +53,13 @@ bool raised_in_library(lua_State* L) {
   return false;
 }
 
+struct Nothing {
+  Place place;
+  std::string text;
+} nothing;
+
 // What stands in for a part of Lua that scenes do not have, where a message is about one.
-std::string instead(std::string_view message) {
+std::string instead(lua_State* L, std::string_view message) {
   constexpr std::pair<std::string_view, const char*> missing[] = {
       {"(global 'io')",
        "; a scene has no files: results go where `output` says, lines to print or sim:log, parts of a scene come by "
@@ -64,7 +69,8 @@ std::string instead(std::string_view message) {
       {"(global 'debug')", "; a scene has no debug library"}};
   for (const auto& [name, advice] : missing)
     if (message.ends_with(name)) return advice;
-  return "";
+  const bool of_nothing = message.find("attempt to index a nil value (field ") != message.npos;
+  return of_nothing && !nothing.text.empty() && user_place(L).text() == nothing.place.text() ? "; " + nothing.text : "";
 }
 
 int message_handler(lua_State* L) {
@@ -73,7 +79,7 @@ int message_handler(lua_State* L) {
   if (lua_type(L, 1) != LUA_TSTRING && lua_type(L, 1) != LUA_TNUMBER && luaL_getmetafield(L, 1, "__tostring") == LUA_TNIL)
     message = user_place(L).text() + ": an error without a text: error(…) was given " +
               (lua_isnil(L, 1) ? "nothing" : std::string("a ") + luaL_typename(L, 1));
-  message += instead(message);
+  message += instead(L, message);
   if (!raised_in_library(L)) {
     push_error(L, ErrorKind::input, message);
     return 1;
@@ -139,9 +145,14 @@ Place user_place(lua_State* L) {
   return {};
 }
 
+<<<<<<< HEAD
 void refuse(lua_State* L, const std::string& text) {
   const Place place = user_place(L);
   throw ScriptError(ErrorKind::input, (place.file.empty() ? "" : place.text() + ": ") + text);
+=======
+void note_nothing(lua_State* L, const std::string& text) {
+  nothing = {user_place(L), text};
+>>>>>>> ha
 }
 
 void protected_call(lua_State* L, int arguments, int results) {

@@ -5,12 +5,14 @@
 #include <iostream>
 
 #include "gas/gas.h"
+#include "output/report.h"
 #include "script/fracture_view.h"
 #include "script/gas_view.h"
 #include "script/interrupt.h"
 #include "script/lua_error.h"
 #include "script/simulation_view.h"
 #include "script/table_view.h"
+#include "step/part_timer.h"
 
 namespace talus {
 namespace {
@@ -71,6 +73,7 @@ std::shared_ptr<Run> Run::create(Scene scene, RunHandlers handlers, const RunSet
     throw ScriptError(ErrorKind::input, error.what());
   }
   run->number_ = settings.number;
+  run->command_line_ = settings.command_line;
   run->restart_ = settings.restart;
   if (settings.restart) run->check_restart(*settings.restart);  // before results that lie there are touched
   if (settings.writes) run->start_output(settings);
@@ -227,14 +230,27 @@ void Run::add_result(const ResultLine& result) {
   results_.push_back(result);
 }
 
-void Run::finish(const std::string& outcome) {
-  if (done_) return;
-  done_ = true;
-  if (began_ && progress_) progress_->done(simulation);
-  if (!output_) return;
+std::string Run::full_outcome(const std::string& outcome) const {
   const char* own = simulation.finished() && !stopped_ ? "finished" : "stopped";
   const std::string& known = failure_.empty() ? outcome : failure_;
-  output_->finish(simulation, known.empty() ? own : known, checks_, results_);
+  return known.empty() ? own : known;
+}
+
+bool Run::finish(const std::string& outcome) {
+  if (done_) return false;
+  done_ = true;
+  if (began_ && progress_) progress_->done(simulation);
+  if (output_) output_->finish(simulation, full_outcome(outcome), checks_, results_);
+  return true;
+}
+
+std::string Run::report(const std::string& outcome) const {
+  return run_report(simulation, {.command_line = command_line_,
+                                 .outcome = full_outcome(outcome),
+                                 .wall_seconds = wall_seconds() - made_,
+                                 .cpu_seconds = cpu_seconds(),
+                                 .checks = checks_,
+                                 .results = results_});
 }
 
 void Run::refuse_inside_step(lua_State* L, const std::string& what) const {

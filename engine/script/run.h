@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "output/clock.h"
 #include "output/output.h"
 #include "output/state_file.h"
 #include "script/laws.h"
@@ -45,7 +46,9 @@ class Run {
   void frame();  // one output time now
   void stop();
   // Ends the output; once. An empty outcome stands for what the run itself knows: finished, stopped or its error.
-  void finish(const std::string& outcome);
+  // False where that was done before.
+  bool finish(const std::string& outcome);
+  std::string report(const std::string& outcome) const;  // run.json, also of a run that writes no results
 
   // The state between two steps; the script's part is left empty.
   SavedRun save() const;
@@ -73,6 +76,7 @@ class Run {
   explicit Run(Scene scene) : simulation(std::move(scene)) {}
 
  private:
+  std::string full_outcome(const std::string& outcome) const;
   void begin();
   void start_output(const RunSettings& settings);
   std::uint64_t layout() const;  // of the tables that save() writes
@@ -88,7 +92,8 @@ class Run {
   std::vector<ResultLine> results_;
   std::optional<Restart> restart_;
   int number_ = 1;
-  std::string failure_;
+  std::string failure_, command_line_;
+  double made_ = wall_seconds();
   Phase phase_ = Phase::idle;
   bool began_ = false, stepped_ = false, stopped_ = false, done_ = false, in_frame_ = false;
 };

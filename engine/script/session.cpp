@@ -89,6 +89,7 @@ int Session::execute() {
   for (const auto& run : runs_) finish(*run, outcome);
   write_inputs();
   runs_.clear();  // models hold Lua functions: before the state goes
+  end_time_limit();
   if (status == exit_ok && output_failed_) return exit_run_stopped;
   return status == exit_ok && failed_checks_ > 0 ? exit_check_failed : status;
 }
@@ -191,13 +192,14 @@ std::optional<StepReport> Session::step(lua_State* L, const std::shared_ptr<Run>
 
 // What goes wrong after something has is most often the same: one message.
 void Session::fail(const std::string& message) {
-  if (!failed_) std::fprintf(stderr, "talus: %s\n", message.c_str());
+  if (!failed_ && options_.on_failure) options_.on_failure(message);
+  if (!failed_ && !options_.on_failure) std::fprintf(stderr, "talus: %s\n", message.c_str());
   failed_ = true;
 }
 
 void Session::finish(Run& run, const std::string& outcome) {
   try {
-    run.finish(outcome);
+    if (run.finish(outcome) && options_.on_end) options_.on_end(run, run.report(outcome));
   } catch (const std::exception& error) {
     fail(error.what());
     output_failed_ = true;

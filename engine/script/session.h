@@ -31,6 +31,10 @@ struct SessionOptions {
   bool interactive = false;  // -i
   bool progress = true;
   std::function<void(Run&)> on_run{};  // for every simulation that the script makes, before its first step
+  // In a program of one's own: what goes wrong first (else printed to standard error), and what run.json has of each
+  // simulation when it is over, in the order of their ends.
+  std::function<void(const std::string& message)> on_failure{};
+  std::function<void(const Run&, const std::string& report)> on_end{};
   std::string inputs_file{};           // --inputs: where the list of the files that the script was made of goes
   bool parameters_only = false;        // talus parameters: the script is left at its first simulation, and prints nothing
   // talus sweep: the script is a study; its flat table (lib/talus/study) is on the top of the stack.
@@ -83,7 +87,7 @@ class Session {
   void check_parameters() const;
   std::string output_dir(const std::string& wanted, const Place& place);
   void finish(Run& run, const std::string& outcome);
-  void fail(const std::string& message);  // the one that is printed
+  void fail(const std::string& message);  // the one that is told
 
   SessionOptions options_;
   lua_State* L_ = nullptr;  // while the script runs

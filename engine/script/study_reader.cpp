@@ -1,10 +1,12 @@
 #include "script/study_reader.h"
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
 
+#include "output/clock.h"
 #include "output/text.h"
 #include "script/laws.h"
 #include "script/lua_error.h"
@@ -38,6 +40,41 @@ Cell cell_at(lua_State* L, int index) {
   return {text ? text : ""};
 }
 
+// A sweep takes its signals when it asks for them (HeldSignals): one that waits longer than this stops a function that
+// does not come to its end. It goes on waiting, for the sweep.
+constexpr double patience = 1;  // s
+double collecting_since = 0;    // s of the clock
+
+bool stop_waits() {
+  sigset_t waiting;
+  sigemptyset(&waiting);
+  sigpending(&waiting);
+  return sigismember(&waiting, SIGINT) == 1 || sigismember(&waiting, SIGTERM) == 1;
+}
+
+void leave_if_stopped(lua_State* L, lua_Debug*) {
+  if (!stop_waits() || wall_seconds() - collecting_since < patience) return;
+  lua_sethook(L, leave_if_stopped, LUA_MASKCOUNT, 1);  // no pcall keeps it
+  raise_error(L, ErrorKind::interrupt, "its collecting was stopped by a signal");
+}
+
+// Looks for such a signal every so many instructions. Hooks of a signal that came unheld (Interrupts) are left alone.
+class StopWatched {
+ public:
+  explicit StopWatched(lua_State* L) : L_(L) {
+    collecting_since = wall_seconds();
+    if (!lua_gethook(L)) lua_sethook(L, leave_if_stopped, LUA_MASKCOUNT, 10000);
+  }
+  ~StopWatched() {
+    if (lua_gethook(L_) == leave_if_stopped) lua_sethook(L_, nullptr, 0, 0);
+  }
+  StopWatched(const StopWatched&) = delete;
+  StopWatched& operator=(const StopWatched&) = delete;
+
+ private:
+  lua_State* L_;
+};
+
 // collect(run, read) -> values, units, problem
 Collected collect(lua_State* L, const LuaFunction& function, std::size_t columns, std::size_t run,
                   const std::string& folder) {
@@ -47,8 +84,16 @@ Collected collect(lua_State* L, const LuaFunction& function, std::size_t columns
   lua_pushinteger(L, static_cast<lua_Integer>(run) + 1);
   lua_pushstring(L, folder.c_str());
   lua_pushcclosure(L, guarded<read_result>, 1);
-  protected_call(L, 2, 3);
   Collected collected;
+  try {
+    const StopWatched watched(L);
+    protected_call(L, 2, 3);
+  } catch (const ScriptError& error) {
+    lua_settop(L, top);
+    if (error.kind != ErrorKind::interrupt || !stop_waits()) throw;
+    collected.problem = error.what();
+    return collected;
+  }
   for (std::size_t column = 0; column < columns; ++column) {
     lua_rawgeti(L, top + 1, static_cast<lua_Integer>(column) + 1);
     collected.cells.push_back(cell_at(L, -1));

@@ -156,14 +156,15 @@ int view_index(lua_State* L) {
   const TableView& view = check_view(L);
   if (lua_type(L, 2) == LUA_TSTRING) return view_index_by_name(L, view, lua_tostring(L, 2));
   int exact = 0;
-  const lua_Integer id = lua_tointegerx(L, 2, &exact);
-  if (!exact)
-    refuse(L, std::string("sim.") + item_word(view.kind) + "s: expected a number, got " + describe(L, 2));
-  if (id < 1 || id > view.count()) {
-    lua_pushnil(L);  // where ipairs stops
-  } else {
-    push_item(L, view.run, view.kind, static_cast<int>(id - 1));
-  }
+  const lua_Integer id = lua_tointegerx(L, 2, &exact), count = view.count();
+  const bool inside = exact && id >= 1 && id <= count;
+  if (inside) return push_item(L, view.run, view.kind, static_cast<int>(id - 1)), 1;
+  const std::string text = std::string("sim.") + item_word(view.kind) + "s: expected a number " +
+                           (count > 0 ? "from 1 to " + std::to_string(count) : std::string("of one that is there, there is none")) +
+                           ", got " + describe(L, 2);
+  if (!exact || id != count + 1) refuse(L, text);
+  note_nothing(L, text);
+  lua_pushnil(L);  // where ipairs stops
   return 1;
 }
 

@@ -2,6 +2,7 @@
 #include "step/step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <optional>
@@ -395,6 +396,7 @@ void Stepper::assemble(const Scheme& scheme, bool stick) {
   if (plan_.fixities) supports_.add(model_, poses_, scheme, system_);
   if (plan_.viscous) add_viscous_edges(model_, poses_, scheme, system_);
   add_loads(model_, poses_, scheme, system_);
+  for (const auto& term : terms) term->add(model_, poses_, scheme, system_);
   islands_.find(model_, contacts_, !model_.scene.numerics.islands);
 }
 
@@ -480,12 +482,18 @@ void Stepper::begin_ledger() {
   ledger_.start_shift = -now.numerical;
 }
 
+double Stepper::elastic_energy(double ahead) const {
+  double sum = strain_energy(model_, joints_, supports_, ahead);
+  for (const auto& term : terms) sum += term->energy(model_, ahead);
+  return sum;
+}
+
 Energies Stepper::energies() {
   prepare_bonds();
   const double ahead = ledger_.ahead, gravity_ahead = gravity_energy_ahead(model_, ahead);
   Energies e;
   e.kinetic = plan_.dynamic ? kinetic_energy(model_, ahead) : 0;
-  e.strain = strain_energy(model_, joints_, supports_, ahead);
+  e.strain = elastic_energy(ahead);
   if (!plan_.dynamic) e.strain += viscous_hold_energy(model_);
   e.contact = contact_energy(model_);
   e.gravity = gravity_ahead - ledger_.gravity_work;
@@ -499,7 +507,7 @@ Energies Stepper::energies() {
   e.fracture = ledger_.fracture_work;
   double shift = gravity_ahead;  // at y less at X: part of the integrator's loss that needs no booking
   if (ahead != 0)
-    shift += e.strain - strain_energy(model_, joints_, supports_, 0) + e.kinetic - kinetic_energy(model_, 0);
+    shift += e.strain - elastic_energy(0) + e.kinetic - kinetic_energy(model_, 0);
   e.numerical = ledger_.numerical_flow - (shift - ledger_.start_shift);
   e.unexplained = e.total - ledger_.start_energy - e.external - e.gas - e.boundary + e.friction + e.damping + e.viscous +
                   e.fracture + e.numerical;
@@ -519,6 +527,13 @@ void Stepper::give_up(const OpenCloseResult& result, double dt) const {
   if (result.singular_block >= 0) {
     std::snprintf(text, sizeof text, "nothing holds %s: fix it, put it on something, or run the scene as dynamic",
                   block_name(model_, result.singular_block).c_str());
+    throw RunError(text);
+  }
+  if (!std::isfinite(result.residual)) {
+    std::snprintf(text, sizeof text,
+                  "t = %.9g s: the forces on %s are beyond the largest number: gravity, a load, a stiffness or a speed of the scene "
+                  "is too large",
+                  model_.time, block_name(model_, std::max(result.worst_block, 0)).c_str());
     throw RunError(text);
   }
   std::snprintf(text, sizeof text,

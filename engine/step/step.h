@@ -10,6 +10,7 @@
 #include "equations/bridge_terms.h"
 #include "equations/contact_terms.h"
 #include "equations/joint_terms.h"
+#include "equations/term.h"
 #include "fracture/fracture.h"
 #include "gas/gas.h"
 #include "model/state_visitor.h"
@@ -52,6 +53,9 @@ class Stepper {
   // Called with what is about to be solved for contacts in a step of motion, at every attempt (tests/contact).
   std::function<void(const Scheme&, const System&, const ContactTerms&)> on_assembled;
 
+  // Of a program of one's own, from before the first step on (docs/extending.md).
+  std::vector<std::shared_ptr<const Term>> terms;
+
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
   void restored();                          // the model has been put back: what was derived from it is stale
   void rewound();                           // to the start of a step, by the same run: nobody has changed materials since
@@ -72,6 +76,7 @@ class Stepper {
   [[noreturn]] void give_up(const Equilibrium& search) const;
   bool breaks(std::vector<BlockState>& moved, double dt, StepReport& report);
   double released_energy() const;
+  double elastic_energy(double ahead) const;
   void store_tractions();
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, const std::function<double(double)>& relaxed);
   IslandResult solve(double dt, Vector& d);  // dt = 0: equilibrium

@@ -46,7 +46,7 @@ return {
     { "sim:material(name), sim:joint(name), sim:fix(name), sim:load(name), sim:region(name)",
       "the object as the script made it, by name or number: `sim:load(\"push\").force = {0, -2e3}`" },
     { "sim.blocks[7].sxx", "a field of one block (or joint, contact, probe), numbered from 1" },
-    { "#sim.blocks", "how many; `ipairs` and `pairs` go through them" },
+    { "#sim.blocks", "how many; `ipairs` and `pairs` go through them. A number outside is an error, but for the one after the last, which is nil" },
     { "sim.blocks:field(\"sxx\")", "a field of all of them, as a list" },
     { "sim.blocks:select(function(block) return block.uy < 0 end)",
       "a list of those for which the function returns true" },

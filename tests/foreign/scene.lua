@@ -5,7 +5,7 @@ local bond = talus.joint { friction = 0.6, cohesion = 1e5, tension = 2e4 }
 local sim = talus.simulation { gravity = {0, -9.81}, probes = { tip = {3.9, 0.5} },
   regions = { talus.region { name = "beam", outline = talus.rect(0, 0, 4, 1), material = rock, joint = bond, mesh = { size = 0.5 } } },
   fix = { talus.fix { region = "beam", on = "left" } },
-  time = { mode = "dynamic", t_end = 0.1, dt = 0.005 }, output = { dir = "out", every = 0.05 } }
+  time = { mode = "dynamic", t_end = 0.1, dt = 0.005 }, output = { dir = "out", every = 0.05, picture = { field = "speed", scale = 20 } } }
 sim:run()
 local function line(what, ...) print("=\t" .. what .. "\t" .. table.concat({ ... }, "\t")) end
 line("blocks", #sim.blocks)

@@ -141,7 +141,8 @@ TEST(RunOutput, WritesAtMultiplesFirstAndLast) {
   scene.output.every = 0.4;  // steps end at 0.25, 0.5, 0.75, 1: due at 0.5 (for 0.4) and 1 (for 0.8)
   run(scene);
   EXPECT_EQ(files(dir), (std::set<std::string>{"blocks.pvd", "blocks_00000.vtp", "blocks_00001.vtp",
-                                               "blocks_00002.vtp", "history.csv", "report.html", "run.json"}));
+                                               "blocks_00002.vtp", "history.csv", "paraview.py", "report.html",
+                                               "run.json"}));
   EXPECT_EQ(rows(dir)[2][0], "0.5");
 }
 
@@ -257,8 +258,8 @@ TEST(RunOutput, RerunRemovesItsOwnFormerFilesOnly) {
     std::ofstream(dir + "/" + name) << "x";
   run(falling(dir));
   EXPECT_EQ(files(dir),
-            (std::set<std::string>{"blocks.pvd", "blocks_00000.vtp", "blocks_00001.vtp", "history.csv", "report.html", "run.json",
-                                   "blocks_old.vtp", "notes.txt", "picture.svg", "blocks_1.vtp"}));
+            (std::set<std::string>{"blocks.pvd", "blocks_00000.vtp", "blocks_00001.vtp", "history.csv", "paraview.py",
+                                   "report.html", "run.json", "blocks_old.vtp", "notes.txt", "picture.svg", "blocks_1.vtp"}));
 }
 
 TEST(RunOutput, DirectoryThatCannotBeIsAnInputError) {
