@@ -459,7 +459,7 @@ function talus.simulation(fields) end
 ---@class talus.numerics
 ---@field profile? "default"|"ning2011" where the other choices come from, see Profiles
 ---@field integrator? "theta"|"newmark" velocity θ-scheme, or Newmark (½, 1)
----@field theta? number in [0.5, 1]; θ of the θ-scheme; ½ keeps waves
+---@field theta? number in [0.5, 1]; θ of the θ-scheme; ½ keeps waves, but bonded blocks that turn fly apart below about 0.6
 ---@field dynamic_parameter? number in [0, 1]; part of the velocity that a step inherits (newmark)
 ---@field damping? function|talus.velocity_damping a `talus.damping.velocity`, or `function(speed, dt)` that returns the part of its velocity, [0, 1], that a block keeps after each step, from the speed of its centroid (m/s) and the step (s)
 ---@field contact_tolerance? number in (0, 0.01]; contact residual / force scale of a block

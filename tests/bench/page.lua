@@ -15,17 +15,28 @@ for _, point in ipairs(points) do
   table.insert(cases[point.case], point)
 end
 
--- Values without a closed form: the error is against the finest run, of a series "by dt" against its last.
+-- How far a value is off, of the reference; of a curve the root mean square over its times.
+local function off(value, reference)
+  if type(value) == "number" then return math.abs(value/reference - 1) end
+  local sum, scale = 0, 0
+  for k, v in ipairs(value) do
+    sum, scale = sum + (v - reference[k])^2, scale + reference[k]^2
+  end
+  return math.sqrt(sum/scale)
+end
+
+-- Values without a closed form: the error is against the finest run, the last of those with the most blocks; of a series "by dt" against
+-- its last.
 local function errors_of(list)
   local finest, last = nil, {}
   for _, point in ipairs(list) do
-    if not point.series:match "by dt" and (not finest or point.blocks > finest.blocks) then finest = point end
+    if not point.series:match "by dt" and (not finest or point.blocks >= finest.blocks) then finest = point end
     last[point.series] = point
   end
   local kept = {}
   for _, point in ipairs(list) do
     local reference = point.series:match "by dt" and last[point.series] or finest
-    if point.value then point.error = math.abs(point.value/reference.value - 1) end
+    if point.value then point.error = off(point.value, reference.value) end
     point.cpu = math.max(point.cpu, 1e-3)  -- what the clock of processes tells apart
     if point.error == point.error and not (point.value and point == reference) then kept[#kept + 1] = point end
   end
@@ -80,13 +91,26 @@ local function choice(point)
   return point and ("%s, %s: %.3g s, %s"):format(point.series, point.label, point.cpu, percent(point.error)) or "–"
 end
 
+-- What the values of some series scatter by, beside which a difference between two runs means little.
+local function spread(asked, list)
+  local values, sum, squares = {}, 0, 0
+  for _, point in ipairs(list) do
+    if asked.of(point) then values[#values + 1] = point.value end
+  end
+  for _, value in ipairs(values) do sum = sum + value/#values end
+  for _, value in ipairs(values) do squares = squares + (value - sum)^2/(#values - 1) end
+  out("\n%s: %d runs, %.3g to %.3g, mean %.3g, standard deviation %.2g.", asked.what, #values, math.min(table.unpack(values)),
+    math.max(table.unpack(values)), sum, math.sqrt(squares))
+end
+
 local function section(name)
   local list, finest = errors_of(cases[name])
   local best = front(list)
   draw(name, list, best)
   out("\n## %s\n\n%s", words[name].title, words[name].what)
   if list[1].value then
-    out("The finest run, with which the others are compared: %s, %s, %d blocks, %.3g s, value %.5g.", finest.series, finest.label, finest.blocks, finest.cpu, finest.value)
+    local value = type(finest.value) == "table" and finest.value[#finest.value] or finest.value
+    out("The finest run, with which the others are compared: %s, %s, %d blocks, %.3g s, value %.5g.", finest.series, finest.label, finest.blocks, finest.cpu, value)
   end
   out("\n![%s](pictures/bench_%s.svg)\n\n%s\n", words[name].title, name, words[name].advice)
   out "| error below | the cheapest of Talus | the cheapest of the others |\n|---|---|---|"
@@ -94,6 +118,7 @@ local function section(name)
     local own, other = cheapest(list, error, false), cheapest(list, error, true)
     if own or other then out("| %g %% | %s | %s |", 100*error, choice(own), choice(other)) end
   end
+  if words[name].spread then spread(words[name].spread, list) end
   local shown = {}
   for _, point in ipairs(best) do shown[point] = true end
   out "\n<details><summary>All points; * on the front</summary>\n\n| series | | blocks | CPU s | error |\n|---|---|---|---|---|"
@@ -139,7 +164,7 @@ out("Written by `scripts/bench` on %s, commit %s, one thread of: %s. Others: %s.
 out("Calibration kernel (`tests/bench/kernel.cpp`): %.2f s.", run.kernel)
 out(words.intro)
 bounds()
-for _, name in ipairs { "cantilever", "hole", "hole_stress", "brazilian", "wave", "incline", "wall", "spinner", "splitting", "blast" } do section(name) end
+for _, name in ipairs { "cantilever", "hole", "hole_stress", "brazilian", "wave", "incline", "wall", "spinner", "splitting", "blast", "pile" } do section(name) end
 walls()
 out("\n## Threads\n\n%s\n\n| threads | CPU s | error |\n|---|---|---|", words.threads)
 for _, point in ipairs(cases.cantilever_threads) do out("| %s | %.3g | %s |", point.series, point.cpu, percent(point.error)) end
