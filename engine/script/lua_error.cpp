@@ -145,14 +145,13 @@ Place user_place(lua_State* L) {
   return {};
 }
 
-<<<<<<< HEAD
 void refuse(lua_State* L, const std::string& text) {
   const Place place = user_place(L);
   throw ScriptError(ErrorKind::input, (place.file.empty() ? "" : place.text() + ": ") + text);
-=======
+}
+
 void note_nothing(lua_State* L, const std::string& text) {
   nothing = {user_place(L), text};
->>>>>>> ha
 }
 
 void protected_call(lua_State* L, int arguments, int results) {

@@ -39,13 +39,11 @@ ScriptError pop_error(lua_State* L);  // the error value on the top of the stack
 // The nearest line of the user's own script on the call stack; empty where there is none.
 Place user_place(lua_State* L);
 
-<<<<<<< HEAD
 // ScriptError(input) with that line before it, where there is one.
 [[noreturn]] void refuse(lua_State* L, const std::string& text);
-=======
+
 // nil was read here, where `text` tells why; an error of Lua that follows from it in the same line is told with that.
 void note_nothing(lua_State* L, const std::string& text);
->>>>>>> ha
 
 // lua_pcall that throws ScriptError. A traceback is added only where the library itself is at fault.
 void protected_call(lua_State* L, int arguments, int results);
