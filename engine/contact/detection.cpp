@@ -60,7 +60,7 @@ double depth_ahead(const Model& model, const Contact& c, double dt) {
   const Numerics& numerics = model.scene.numerics;
   const double shift = numerics.integrator == Integrator::theta ? (numerics.theta - 0.5) * dt : 0;
   const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c), foot = at - c.gap * normal;
-  return -(c.gap + c.offset) - shift * normal.dot(model.velocity_at(c.i, at) - model.velocity_on_edge(c.j, c.edge, foot));
+  return -(c.gap + c.offset) - shift * normal.dot(model.corner_velocity(c.i, c.vertex) - model.velocity_on_edge(c.j, c.edge, foot));
 }
 
 // Met already overlapping, or touching and so fast that y overlaps: not a load (docs/theory.md). What is still apart may

@@ -17,7 +17,8 @@ constexpr double near_part = 1e-3;
 template <int n>
 ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int local, const Vec2& direction) {
   const int v = model.shapes[block].vertex_begin + local;
-  return force_on<n>(poses.blocks[block], {model.reference_vertex[v], poses.vertex[v]}, direction);
+  const Vec3 m = model.shapes[block].second_order() ? model.corner_bend[v] : Vec3(0, 0, 0);
+  return poses.blocks[block].rows<n>(model.reference_vertex[v], poses.vertex[v], m).transpose() * direction;
 }
 
 }  // namespace

@@ -44,7 +44,9 @@ void Poses::predict(const Model& model, const Scheme& scheme) {
     if (model.sleeps(int(b))) continue;
     blocks[b] = flown(model, int(b), scheme.mid);
     const BlockShape& shape = model.shapes[b];
-    for (int i = shape.vertex_begin; i < shape.vertex_end; ++i) vertex[i] = blocks[b].place(model.reference_vertex[i]);
+    for (int i = shape.vertex_begin; i < shape.vertex_end; ++i)
+      vertex[i] = shape.second_order() ? blocks[b].polygon_vertex(model.reference_vertex[i], model.corner_bend[i])
+                                       : blocks[b].place<first_order_dofs>(model.reference_vertex[i]);
   }
 }
 

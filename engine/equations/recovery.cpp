@@ -160,12 +160,13 @@ void Recovery::update(const Model& model) {
   intact_joints_ = intact;
   corner_displacement_.assign(corner_position_.size(), Vec2::Zero());
   std::vector<int> count(corner_position_.size(), 0);
-  for (size_t v = 0; v < corner_of_vertex_.size(); ++v) {
-    const int corner = corner_of_vertex_[v];
-    if (corner < 0) continue;
-    corner_displacement_[corner] += model.vertex[v] - corner_position_[corner];
-    ++count[corner];
-  }
+  for (int b = 0; b < int(model.shapes.size()); ++b)
+    for (int v = model.shapes[b].vertex_begin; v < model.shapes[b].vertex_end; ++v) {
+      const int corner = corner_of_vertex_[size_t(v)];
+      if (corner < 0) continue;
+      corner_displacement_[corner] += model.corner(b, v) - corner_position_[corner];
+      ++count[corner];
+    }
   for (int b = 0; !middle_of_edge_.empty() && b < int(model.shapes.size()); ++b) {
     const BlockShape& shape = model.shapes[b];
     if (!shape.second_order()) continue;

@@ -26,11 +26,11 @@ Vec2 undeformed(const BlockShape& shape, const BlockState& state, const Vec2& ar
   return x;
 }
 
-// Its rate but for the rotation, at the undeformed arm X of a second-order block.
-Vec2 deforming(const BlockShape& shape, const BlockState& state, const Vec2& x) {
+// Its rate but for the rotation, at the undeformed arm X of a second-order block, where the bend has the monomials m.
+Vec2 deforming(const BlockShape& shape, const BlockState& state, const Vec2& x, const Vec3& m) {
   const auto& v = state.velocity;
   return Vec2(v[3] * x.x() + v[5] / 2 * x.y(), v[5] / 2 * x.x() + v[4] * x.y()) / shape.length +
-         shape.bend().displacement(x, &v[first_order_dofs]);
+         Bend::sum(m, &v[first_order_dofs]);
 }
 
 }  // namespace
@@ -63,20 +63,24 @@ Vec2 Model::bent_velocity(int block, const Vec2& point) const {
   const Rotation rotation = Rotation::of(state.angle);
   const Vec2 arm = undeformed(shapes[block], state, rotation.back(point - state.centroid));
   return Vec2(state.velocity[0], state.velocity[1]) + state.velocity[2] / shapes[block].length * perp(point - state.centroid) +
-         rotation.turn(deforming(shapes[block], state, arm));
+         rotation.turn(deforming(shapes[block], state, arm, shapes[block].bend().monomials(arm)));
 }
 
-Vec2 Model::velocity_on_bent_edge(int block, int edge, const Vec2& point) const {
+Vec2 Model::bent_corner_velocity(int block, int v) const {
   const BlockShape& shape = shapes[block];
   const BlockState& state = blocks[block];
-  const Rotation rotation = Rotation::of(state.angle);
-  const int ends[] = {shape.vertex_begin + edge, shape.vertex_begin + next_vertex(block, edge)};
-  const Vec2 span = vertex[ends[1]] - vertex[ends[0]];
-  const double at = (point - vertex[ends[0]]).dot(span) / span.squaredNorm();
-  const Vec2 deformation = (1 - at) * deforming(shape, state, reference_vertex[ends[0]]) +
-                           at * deforming(shape, state, reference_vertex[ends[1]]);
-  return Vec2(state.velocity[0], state.velocity[1]) + state.velocity[2] / shape.length * perp(point - state.centroid) +
-         rotation.turn(deformation);
+  return Vec2(state.velocity[0], state.velocity[1]) + state.velocity[2] / shape.length * perp(vertex[v] - state.centroid) +
+         Rotation::of(state.angle).turn(deforming(shape, state, reference_vertex[v], corner_bend[v]));
+}
+
+// Linear between the corners, as a point of the edge goes with them.
+Vec2 Model::velocity_on_bent_edge(int block, int edge, const Vec2& point) const {
+  const int from = shapes[block].vertex_begin + edge, to = shapes[block].vertex_begin + next_vertex(block, edge);
+  const Vec2 span = vertex[to] - vertex[from];
+  const double at = (point - vertex[from]).dot(span) / span.squaredNorm();
+  const Vec2 beside = point - vertex[from] - at * span;  // nought on the edge
+  return (1 - at) * bent_corner_velocity(block, from) + at * bent_corner_velocity(block, to) +
+         blocks[block].velocity[2] / shapes[block].length * perp(beside);
 }
 
 double Model::area(int block) const {
@@ -115,7 +119,7 @@ void Model::place_vertices(int block) {
   for (int v = shape.vertex_begin; v < shape.vertex_end; ++v)
     vertex[v] = state.centroid + rotation.turn(stretched(state.strain, reference_vertex[v]));
   for (int v = shape.vertex_begin; shape.second_order() && v < shape.vertex_end; ++v)
-    vertex[v] += rotation.turn(shape.bend().displacement(reference_vertex[v], state.bend));
+    vertex[v] += rotation.turn(Bend::sum(corner_bend[v], state.bend));
 }
 
 void Model::changed() {

@@ -264,7 +264,8 @@ class Model {
   std::vector<QuadraticShape> quadratic_shapes;
   std::vector<BlockState> blocks;
   std::vector<Vec2> reference_vertex;  // from the reference centroid
-  std::vector<Vec2> vertex;            // now
+  std::vector<Vec2> vertex;            // now, of the polygon that contacts see
+  std::vector<Vec3> corner_bend;  // per vertex, of second-order blocks, what of the bend it goes with; empty where there are none
   std::vector<Joint> joints;
   std::vector<Contact> contacts;
   std::vector<PointFixity> point_fixities;
@@ -301,6 +302,13 @@ class Model {
   Vec2 velocity_on_edge(int block, int edge, const Vec2& point) const {
     return shapes[block].second_order() ? velocity_on_bent_edge(block, edge, point) : velocity_at(block, point);
   }
+  // Of a vertex of the polygon that contacts see.
+  Vec2 corner_velocity(int block, int local) const {
+    const int v = shapes[block].vertex_begin + local;
+    return shapes[block].second_order() ? bent_corner_velocity(block, v) : velocity_at(block, vertex[v]);
+  }
+  // Where the block's own corner is, an index into `vertex`; of first order that is the vertex.
+  Vec2 corner(int block, int v) const { return shapes[block].second_order() ? place(block, reference_vertex[v]) : vertex[v]; }
   Vec2 reference_place(int block, const Vec2& in_block) const { return shapes[block].reference_centroid + in_block; }
   double area(int block) const;       // m2, now
   double mass(int block) const { return material(block).density * shapes[block].area; }
@@ -315,6 +323,7 @@ class Model {
  private:
   Vec2 velocity_on_bent_edge(int block, int edge, const Vec2& point) const;
   Vec2 bent_velocity(int block, const Vec2& point) const;
+  Vec2 bent_corner_velocity(int block, int v) const;
 };
 
 std::string block_name(const Model& model, int block);  // for messages: its number from 1, region and place

@@ -54,6 +54,7 @@ void visit_state(Model& model, StateVisitor& v) {
   v.constant("shapes", model.shapes);
   v.constant("quadratic_shapes", model.quadratic_shapes);
   v.constant("reference_vertex", model.reference_vertex);
+  v.constant("corner_bend", model.corner_bend);
   v.constant("regions", model.scene.regions);
   v.constant("held_by", model.held_by);
   v.constant("point_fixities", model.point_fixities);

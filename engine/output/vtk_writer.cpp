@@ -93,10 +93,11 @@ void add_polygons(vtkPolyData* data, const Model& model) {
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(model.vertex.size()));
   vtkNew<vtkCellArray> polygons;
-  for (const BlockShape& shape : model.shapes) {
+  for (int b = 0; b < int(model.shapes.size()); ++b) {
+    const BlockShape& shape = model.shapes[b];
     polygons->InsertNextCell(shape.vertex_end - shape.vertex_begin);
     for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) {
-      const Vec2 p = model.vertex[v] + model.origin;
+      const Vec2 p = model.corner(b, v) + model.origin;
       points->SetPoint(v, p.x(), p.y(), 0);
       polygons->InsertCellPoint(v);
     }
@@ -108,9 +109,11 @@ void add_polygons(vtkPolyData* data, const Model& model) {
 // Of the corners, for "warp by vector".
 void add_point_displacement(vtkPolyData* data, const Model& model) {
   std::vector<Vec2> moved(model.vertex.size());
-  for (const BlockShape& shape : model.shapes)
+  for (int b = 0; b < int(model.shapes.size()); ++b) {
+    const BlockShape& shape = model.shapes[b];
     for (int v = shape.vertex_begin; v < shape.vertex_end; ++v)
-      moved[v] = model.vertex[v] - shape.reference_centroid - model.reference_vertex[v];
+      moved[v] = model.corner(b, v) - shape.reference_centroid - model.reference_vertex[v];
+  }
   add_array<vtkDoubleArray>(data->GetPointData(), "displacement", 2, static_cast<vtkIdType>(moved.size()),
                             [&](int v, double* out) { std::copy_n(moved[v].data(), 2, out); });
 }

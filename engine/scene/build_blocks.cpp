@@ -7,6 +7,7 @@
 
 #include "geometry/joint_set.h"
 #include "geometry/polygon.h"
+#include "model/corner_bend.h"
 #include "model/gauss.h"
 #include "scene/build_parts.h"
 #include "scene/slivers.h"
@@ -136,6 +137,10 @@ int add_block(Model& model, int region_id, const Polyline& outline) {
       quadratic.stress_x = region.stress->gradient_x;
       quadratic.stress_y = region.stress->gradient_y;
     }
+    const auto first = model.reference_vertex.begin() + shape.vertex_begin;
+    const std::vector<Vec3> bend = corner_bend({first, model.reference_vertex.end()}, shape.bend());
+    model.corner_bend.resize(std::size_t(shape.vertex_begin), Vec3::Zero());
+    model.corner_bend.insert(model.corner_bend.end(), bend.begin(), bend.end());
   }
   BlockState state;
   state.centroid = integrals.centroid;

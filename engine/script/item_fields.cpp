@@ -45,7 +45,7 @@ const ShownField block_shown[] = {
      [](lua_State* L, const Model& m, int id) {
        lua_createtable(L, m.vertex_count(id), 0);
        for (int k = 0; k < m.vertex_count(id); ++k) {
-         const Vec2 p = m.vertex[m.shapes[id].vertex_begin + k] + m.origin;
+         const Vec2 p = m.corner(id, m.shapes[id].vertex_begin + k) + m.origin;
          lua_createtable(L, 2, 0);
          for (int i = 0; i < 2; ++i) {
            lua_pushnumber(L, p[i]);

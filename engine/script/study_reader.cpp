@@ -42,7 +42,7 @@ Cell cell_at(lua_State* L, int index) {
 
 // A sweep takes its signals when it asks for them (HeldSignals): one that waits longer than this stops a function that
 // does not come to its end. It goes on waiting, for the sweep.
-constexpr double patience = 1;  // s
+constexpr double collect_patience = 1;  // s
 double collecting_since = 0;    // s of the clock
 
 bool stop_waits() {
@@ -53,7 +53,7 @@ bool stop_waits() {
 }
 
 void leave_if_stopped(lua_State* L, lua_Debug*) {
-  if (!stop_waits() || wall_seconds() - collecting_since < patience) return;
+  if (!stop_waits() || wall_seconds() - collecting_since < collect_patience) return;
   lua_sethook(L, leave_if_stopped, LUA_MASKCOUNT, 1);  // no pcall keeps it
   raise_error(L, ErrorKind::interrupt, "its collecting was stopped by a signal");
 }

@@ -58,7 +58,7 @@ GapRate gap_of(const Model& model, const Contact& c) {
   const Vec2 to = model.vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)];
   const Vec2 normal = -perp(to - from).normalized();
   const double gap = normal.dot(at - from);
-  return {gap, normal.dot(model.velocity_at(c.i, at) - model.velocity_on_edge(c.j, c.edge, at - gap * normal))};
+  return {gap, normal.dot(model.corner_velocity(c.i, c.vertex) - model.velocity_on_edge(c.j, c.edge, at - gap * normal))};
 }
 
 double squared(double x) {

@@ -47,8 +47,8 @@ words.blast = { title = "Gas in a borehole: V(t)", what = [[A hole under 50 MPa 
 volume of hole and cracks at ten times of 100 µs, root mean square of the differences.]],
   advice = [[Second-order blocks below 2 %: of 0.12 m they are nearer than first-order ones of 0.015 m, in a third of the time. Both orders go to the same V(t). A Δt of 2 µs is worth 2 % and
 the error falls in proportion to it: take the step down with the size. Where rock may break anywhere and keeps nothing of its strength (no G, no path),
-V(t) depends on which edges the mesh has, and no order mends that. Second-order blocks give 26 to 40 % more on such a scene (100 MPa, 40 µs, no paths) for another reason: contacts
-press them at their corners alone, between which triangles bow, so that what has cracked in shear is too soft. Here cracks are open.]] }
+V(t) depends on which edges the mesh has, and no order mends that: on such a scene (100 MPa, 40 µs, no paths, 284 and 624 blocks) two meshes and two orders end within 5 %
+of each other, with no trend. Second-order blocks gave 26 to 40 % more there until their contacts were put right (theory, § 1).]] }
 words.pile = { title = "Cast blast: centroid of the pile", what = [[A bench of 4 × 3 m, blown off a hole 1.2 m behind its free face, with the drag of `examples/11` (L = 2 m); how far the centroid of
 the bench has gone when the pile lies, at 1.6 s. Each point is one run.]],
   advice = [[Do not read an order from this. The pile is the outcome of some hundred collisions: two runs that differ in one crack part for good, and the gas blows out up to
