@@ -34,7 +34,10 @@ OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSetting
     arrive(problem, d, result);
     forces_at_present(problem);
   }
-  const bool swept = settings.motion && settings.solver != ContactSolver::factor;
+  // Bonds alone are linear: one factor, which costs what a few pairs of sweeps over patches do.
+  const bool linear = problem.contacts.rows().empty() && problem.blocks.size() > 1;
+  const bool swept = settings.motion && settings.solver != ContactSolver::factor &&
+                     (settings.solver == ContactSolver::sweeps || !linear);
   if (swept) sweeps_.start(problem);
   if (swept && settings.solver == ContactSolver::sweeps)
     solve_by_sweeps(problem, settings.tolerance, d, result);
