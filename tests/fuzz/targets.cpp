@@ -10,45 +10,10 @@
 
 #include "geometry/polygon.h"
 #include "geometry/tessellation.h"
-#include "input/drawing.h"
-#include "output/state_file.h"
 #include "script/session.h"
 
 namespace talus::fuzz {
 namespace {
-
-void run_dxf(const std::string& input) {
-  try {
-    read_dxf(input, "x.dxf", 0.05);
-  } catch (const FileError&) {
-  }
-}
-
-void run_csv(const std::string& input) {
-  try {
-    read_csv(input, "x.csv");
-  } catch (const FileError&) {
-  }
-}
-
-// As it stands, and as the body of a file whose checksum fits.
-void run_state(const std::string& input) {
-  static const std::string path = (std::filesystem::temp_directory_path() / ("talus_fuzz_" + std::to_string(getpid()))).string();
-  std::string whole = "talus saved state\n";
-  append(whole, std::uint64_t(2));
-  append(whole, std::string_view(input));
-  Fnv sum;
-  sum.add(whole);
-  append(whole, sum.value());
-  for (const std::string* bytes : {&input, static_cast<const std::string*>(&whole)}) {
-    std::ofstream(path, std::ios::binary) << *bytes;
-    try {
-      read_state(path);
-    } catch (const StateError&) {
-    }
-  }
-  std::filesystem::remove(path);
-}
 
 // Outline and traces of the bytes, two a coordinate, on a grid so that much coincides; cut, and meshed three ways.
 class Bytes {
@@ -126,13 +91,13 @@ void run_scene(const std::string& input) {
 }  // namespace
 
 const std::vector<Target>& targets() {
-  static const std::vector<Target> list = {
-      {"dxf", run_dxf, {"\n0\nLINE\n", "\n0\nLWPOLYLINE\n", "\n0\nARC\n", "\n42\n1e308\n", "\n90\n99999999\n", "\n70\n1\n", "\n10\nnan\n", "\n0\nEOF\n",
-                        "\n0\nSECTION\n", "\n9\n$INSUNITS\n", "\r\n", "\n0\nVERTEX\n", "\n0\nSEQEND\n"}},
-      {"csv", run_csv, {"x,y\n", "trace,x,y\n", "x1,y1,x2,y2\n", ";", "\t", "#", "nan", "1e999", "\"", "\r", "1,2\n"}},
-      {"state", run_state, {std::string(8, '\xff'), std::string(8, 0), "talus saved state\n"}},
+  static const std::vector<Target> list = [] {
+    std::vector<Target> all = readers();
+    all.insert(all.end(), {
       {"geometry", run_geometry, {std::string(4, 0), std::string("\x80\x00\x80\x00", 4)}},
-      {"scene", run_scene, {"nan", "1/0", "-1", "{}", "nil", "function() end", "1e300", "\"x\"", "0", "true", "talus.rect(0, 0, 1, 1)"}}};
+      {"scene", run_scene, {"nan", "1/0", "-1", "{}", "nil", "function() end", "1e300", "\"x\"", "0", "true", "talus.rect(0, 0, 1, 1)"}}});
+    return all;
+  }();
   return list;
 }
 
