@@ -1,9 +1,7 @@
 # find_package(Talus): the target Talus::talus, and TALUS_LIBRARY, the folder of its Lua library.
 include(CMakeFindDependencyMacro)
-list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})  # CHOLMOD
 find_dependency(Eigen3 3.4 NO_MODULE)
 find_dependency(VTK 9.1 COMPONENTS CommonCore CommonDataModel IOCore IOXML)
-find_dependency(CHOLMOD)
 find_dependency(OpenMP COMPONENTS CXX)
 find_dependency(PkgConfig)
 pkg_check_modules(TALUS_LUA REQUIRED IMPORTED_TARGET lua5.4-c++)
@@ -20,5 +18,5 @@ if(NOT TARGET Talus::talus)
     IMPORTED_LOCATION ${TALUS_ARCHIVE}
     INTERFACE_INCLUDE_DIRECTORIES ${TALUS_ROOT}/include/talus
     INTERFACE_COMPILE_FEATURES cxx_std_20
-    INTERFACE_LINK_LIBRARIES "Eigen3::Eigen;PkgConfig::TALUS_LUA;CHOLMOD::CHOLMOD;OpenMP::OpenMP_CXX;VTK::CommonCore;VTK::CommonDataModel;VTK::IOCore;VTK::IOXML;mpfr;gmp")
+    INTERFACE_LINK_LIBRARIES "Eigen3::Eigen;PkgConfig::TALUS_LUA;${CMAKE_DL_LIBS};OpenMP::OpenMP_CXX;VTK::CommonCore;VTK::CommonDataModel;VTK::IOCore;VTK::IOXML;mpfr;gmp")
 endif()

@@ -67,7 +67,7 @@ print(string.format("%d fragments that have come free, x50 %.2f m (half of the m
 print(string.format("%.2f kg/m a hole; peak velocity %.2f m/s at %.1f m, %.2f m/s at %.1f m: PPV = %.2f (R/√W)^-%.2f", charge.mass,
   points[1].ppv, points[1].distance, points[#points].ppv, points[#points].distance, vibration.K, vibration.beta))
 print(string.format("back-break %.1f m of %.1f m of cracks, as far as %.1f m behind the row", behind.length, broken, behind.depth))
-print(string.format("the gas gave %.2f MJ/m; %.0f %% of the first charge's is left; the burden moves at %.1f m/s", energy.gas/1e6,
+print(string.format("the gas gave %.2f MJ/m; of the first charge's gas %.0f %% has not escaped; the burden moves at %.1f m/s", energy.gas/1e6,
   100*charge.left, front.momentum/front.mass))
 
 talus.check.near("mass of a charge, kg/m", charge.mass, 850*math.pi/4*0.07^2, { rel = 1e-12 })

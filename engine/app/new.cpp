@@ -55,6 +55,8 @@ int new_command(const Arguments& arguments) {
   if (!name.ends_with(".lua")) name += ".lua";
   const std::string stem = std::filesystem::path(name).stem().string();
   const std::string text = renamed(read_template(kind), kind, stem, name);
+  std::error_code unmade;  // then the file cannot be made either, and that says why
+  if (const auto folder = std::filesystem::path(name).parent_path(); !folder.empty()) std::filesystem::create_directories(folder, unmade);
   std::FILE* file = std::fopen(name.c_str(), "wbx");  // never over something that is there
   if (!file) throw std::runtime_error("new: cannot make " + name + ": " + std::strerror(errno));
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
@@ -63,8 +65,9 @@ int new_command(const Arguments& arguments) {
     std::remove(name.c_str());
     throw std::runtime_error("new: cannot write " + name + ": " + reason);
   }
-  std::printf("%s: a %s to start from\n  talus check %s    what it would take\n  talus %s          runs it; results in out/%s\n", name.c_str(),
-              kind.c_str(), name.c_str(), name.c_str(), stem.c_str());
+  const char* program = program_invocation_name;
+  std::printf("%s: a %s to start from\n  %s check %s    what it would take\n  %s %s          runs it; results in out/%s\n", name.c_str(),
+              kind.c_str(), program, name.c_str(), program, name.c_str(), stem.c_str());
   return exit_ok;
 }
 

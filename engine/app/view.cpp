@@ -32,7 +32,7 @@ int view_command(const Arguments& arguments) {
   ViewOptions options;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string argument = arguments[i];
-    if (argument == "--view_help" || argument == "-h") return std::fputs(view_help, stdout), exit_ok;
+    if (argument == "--help" || argument == "-h") return std::fputs(view_help, stdout), exit_ok;
     if (argument == "--fields") options.fields = comma_separated(value_after(arguments, i));
     else if (argument == "--every") options.every = whole_number(value_after(arguments, i));
     else if (argument == "-o") file = value_after(arguments, i);

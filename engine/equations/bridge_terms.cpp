@@ -14,7 +14,7 @@ namespace {
 constexpr double slope_step = 1e-3;
 
 struct Pull {
-  double traction = 0, tangent = 0;  // Pa, Pa/m
+  double traction = 0, tangent = 0, line = 0;  // Pa, Pa/m; slope of the line
 };
 
 // `strength(worn)`: f above. x >= 0.
@@ -24,10 +24,10 @@ Pull pull(const Bridge& bridge, double x, const Law& strength) {
   const double beyond = x - bridge.reach;
   if (beyond < bridge.worn) {  // at its worst jump it is expected to go on
     const double line = strength(bridge.worn) / (bridge.reach + bridge.worn);
-    return {line * x, line};
+    return {std::max(0.0, line * x), x > 0 ? line : 0, line};
   }
   const double f = strength(beyond), step = slope_step * bridge.reach;
-  return {f, (strength(beyond + step) - f) / step};
+  return {f, (strength(beyond + step) - f) / step, f / x};
 }
 
 // Strengths of a joint above what its contact carries in the end.
@@ -50,6 +50,11 @@ class Laws {
   Strength intact_;
 };
 
+// Without traction, on its line, on the falling branch.
+int branch(const Bridge& bridge, double x) { return x <= 0 ? 0 : x < bridge.reach + bridge.worn ? 1 : 2; }
+int sided(const Bridge& bridge, double s) { return s < 0 ? -branch(bridge, -s) : branch(bridge, s); }
+double worn_by(const Bridge& bridge, double x) { return std::max(bridge.worn, x - bridge.reach); }
+
 struct Pulls {
   Pull across, along;
 };
@@ -57,10 +62,11 @@ struct Pulls {
 Pulls pulls(const Model& model, const Joint& joint, const JointPoint& point, double opening, double slip) {
   const Laws laws(model, joint);
   const double x = opening - point.across.origin, s = slip - point.along.origin;
+  // Each wears by the other too, at once: what is found is still in equilibrium when its wear is kept (wear_bridges).
+  const double across = worn_by(point.across, x), along = worn_by(point.along, std::abs(s));
   Pulls both;
-  if (x > 0)
-    both.across = pull(point.across, x, [&](double worn) { return laws.tension(point.along.worn, worn); });
-  both.along = pull(point.along, std::abs(s), [&](double worn) { return laws.cohesion(worn, point.across.worn); });
+  both.across = pull(point.across, x, [&](double worn) { return laws.tension(along, worn); });
+  both.along = pull(point.along, std::abs(s), [&](double worn) { return laws.cohesion(worn, across); });
   both.along.traction = std::copysign(both.along.traction, s);
   return both;
 }
@@ -102,9 +108,8 @@ void wear_bridges(const Model& model, Joint& joint) {
   const Laws laws(model, joint);
   joint.bridged = false;
   for (JointPoint& point : joint.points) {
-    const auto wear = [](Bridge& bridge, double x) { bridge.worn = std::max(bridge.worn, x - bridge.reach); };
-    wear(point.across, point.opening - point.across.origin);
-    wear(point.along, std::abs(point.slip - point.along.origin));
+    point.across.worn = worn_by(point.across, point.opening - point.across.origin);
+    point.along.worn = worn_by(point.along, std::abs(point.slip - point.along.origin));
     joint.bridged = joint.bridged || laws.tension(point.along.worn, point.across.worn) > 0 ||
                     laws.cohesion(point.along.worn, point.across.worn) > 0;
   }
@@ -138,6 +143,7 @@ void BridgeTerms::add_bridge(const Model& model, const Poses& poses, const Ends&
   const Pose &a = poses.blocks[joint.a], &b = poses.blocks[joint.b];
   const Vec2 n = turned_normal(joint, a, b), t = perp(n);
   const Jump<size> jump(model, ends, joint, scheme);
+  const auto turned = turns_.find(slots.joint);
   MatrixOf<size> kaa = MatrixOf<size>::Zero(), kbb = kaa, kab = kaa;
   ColumnOf<size> fa = ColumnOf<size>::Zero(), fb = fa;
   for (const JointPoint& point : joint.points) {
@@ -146,7 +152,9 @@ void BridgeTerms::add_bridge(const Model& model, const Poses& poses, const Ends&
     const RowsOf<size> ta = a.rows<size>(in_a, at), tb = b.rows<size>(in_b, at);
     const Vec2 gap = jump.at(in_a, in_b);
     const auto [across, along] = pulls(model, joint, point, gap.dot(n), gap.dot(t));
-    const Mat2 stiffness = across.tangent * n * n.transpose() + along.tangent * t * t.transpose();
+    const Turns turns = turned == turns_.end() ? Turns{} : turned->second[size_t(&point - joint.points.begin())];
+    const Mat2 stiffness = slope(turns, 0, across.tangent, across.line) * n * n.transpose() +
+                           slope(turns, 1, along.tangent, along.line) * t * t.transpose();
     const Vec2 traction = across.traction * n + along.traction * t;
     const double w = point.weight;
     fa += w * ta.transpose() * traction;
@@ -162,6 +170,33 @@ void BridgeTerms::add_bridge(const Model& model, const Poses& poses, const Ends&
   if (shape_a.dofs) system.matrix.add(slots.aa, false, kaa);
   if (shape_b.dofs) system.matrix.add(slots.bb, false, kbb);
   if (shape_a.dofs && shape_b.dofs) system.matrix.add(slots.ab, slots.ab.row != joint.a, kab);
+}
+
+double BridgeTerms::slope(const Turns& turns, int direction, double own, double line) const {
+  constexpr int once = 2, often = 4;  // there and back; twice
+  const int count = turns.count[size_t(direction)];
+  if (count >= often) return line;
+  return own >= 0 ? own : count < once ? share_ * own : 0;
+}
+
+void BridgeTerms::watch(const Model& model) {
+  constexpr int forgets_after = 4;
+  for (const Slots& slots : slots_) {
+    const Joint& joint = model.joints[slots.joint];
+    const auto [at, first] = turns_.try_emplace(slots.joint);
+    for (size_t p = 0; p < joint.points.size(); ++p) {
+      const JointPoint& point = joint.points[p];
+      const std::array now = {branch(point.across, point.opening - point.across.origin),
+                              sided(point.along, point.slip - point.along.origin)};
+      Turns& turns = at->second[p];
+      for (size_t k = 0; k < now.size(); ++k) {
+        const bool turned = !first && now[k] != turns.branch[k];
+        turns.quiet[k] = turned ? 0 : turns.quiet[k] + 1;
+        turns.count[k] = turned ? turns.count[k] + 1 : turns.quiet[k] > forgets_after ? 0 : turns.count[k];
+      }
+      turns.branch = now;
+    }
+  }
 }
 
 void BridgeTerms::store_tractions(Model& model) const {

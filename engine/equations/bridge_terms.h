@@ -9,6 +9,9 @@
 //              f(worn) x/(reach + worn)             else; none for x < 0 across the joint.
 // The tangent of the falling branch is negative; the sum with the blocks is positive while blocks are smaller than
 // 2 E G/f² (fracture/reduction.h).
+#include <array>
+#include <unordered_map>
+
 #include "equations/system.h"
 
 namespace talus {
@@ -21,6 +24,15 @@ class BridgeTerms {
   void add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const;
   // Tractions of bridged points at their stored jumps.
   void store_tractions(Model& model) const;
+  // Of a search for equilibrium, in which the blocks may not be able to follow what falls. `share`: of the slopes of
+  // falling branches, that goes into the matrix from the next add() on.
+  void take(double share) { share_ = share; }
+  // After a step of it: points that go to and fro between their line and the falling branch are taken along the line.
+  void watch(const Model& model);
+  void end_search() {
+    turns_.clear();
+    share_ = 1;
+  }
   bool any() const { return !slots_.empty(); }  // at the last find_slots
 
  private:
@@ -32,6 +44,25 @@ class BridgeTerms {
   void add_bridge(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, const Slots& slots,
                   System& system) const;
   std::vector<Slots> slots_;
+  double share_ = 1;
+  struct Turns {
+    std::array<int, 2> branch = {0, 0};           // across, along
+    std::array<int, 2> count = {0, 0}, quiet = {0, 0};  // of turns; steps since the last
+  };
+  double slope(const Turns& turns, int direction, double own, double line) const;
+  std::unordered_map<int, std::array<Turns, JointPoints::most>> turns_;  // by joint
+};
+
+// Ends a search for equilibrium wherever it is left: in motion slopes are taken as they are.
+class BridgeSearch {
+ public:
+  explicit BridgeSearch(BridgeTerms& bridges) : bridges_(bridges) {}
+  ~BridgeSearch() { bridges_.end_search(); }
+  BridgeSearch(const BridgeSearch&) = delete;
+  BridgeSearch& operator=(const BridgeSearch&) = delete;
+
+ private:
+  BridgeTerms& bridges_;
 };
 
 // A joint that fails now is bridged, with the tractions stored at its points beyond what its contact takes over.

@@ -116,8 +116,9 @@ void ContactTerms::find_slots(const BlockMatrix& matrix) {
                               : Slots{});
 }
 
-void ContactTerms::add_stiffness(BlockMatrix& matrix, const std::vector<char>& closed,
-                                 const std::vector<char>& stuck) const {
+template <typename Number>
+void ContactTerms::add_stiffness(BlockMatrix& matrix, const std::vector<Number>& closed,
+                                 const std::vector<Number>& stuck) const {
   for (size_t k = 0; k < rows_.size(); ++k) {
     const ContactRows& row = rows_[k];
     if (!row.near) continue;  // it has no slots; it may still bear the state of a contact that has let go
@@ -131,9 +132,12 @@ void ContactTerms::add_stiffness(BlockMatrix& matrix, const std::vector<char>& c
         matrix.add_outer(slots.ij, factor, i_is_row ? i.data() : j.data(), i_is_row ? j.data() : i.data());
       }
     };
-    if (closed[k]) add(row.kn, row.normal_i, row.normal_j);
-    if (stuck[k]) add(row.ks, row.shear_i, row.shear_j);
+    if (closed[k] > 0) add(closed[k] * row.kn, row.normal_i, row.normal_j);
+    if (stuck[k] > 0) add(stuck[k] * row.ks, row.shear_i, row.shear_j);
   }
 }
+
+template void ContactTerms::add_stiffness(BlockMatrix&, const std::vector<char>&, const std::vector<char>&) const;
+template void ContactTerms::add_stiffness(BlockMatrix&, const std::vector<double>&, const std::vector<double>&) const;
 
 }  // namespace talus

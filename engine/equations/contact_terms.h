@@ -2,6 +2,7 @@
 // Contacts at the configuration of linearisation: what each feels of the unknowns, and the law between gap,
 // sliding and force. The law is a spring pressed by max(0, -(gap + offset)), and a shear spring whose force
 // returns to the Coulomb cone |t| <= N tan φ + c·length (return mapping; the elastic part is kept as `stretch`).
+#include <cmath>
 #include <span>
 
 #include "equations/system.h"
@@ -51,6 +52,11 @@ struct ContactRows : ContactScalars {
   }
 };
 
+// N, of a contact's shear force under this normal force.
+inline double friction_limit(const ContactScalars& row, double normal) {
+  return (normal > 0 ? (std::isinf(row.friction) ? row.friction : row.friction * normal) : 0) + row.cohesion;
+}
+
 class ContactTerms {
  public:
   // Of what is awake. `stick`: no joint that touches slides, open or not (the settled start). Near is what the velocities bring to within `nearness` times what a
@@ -62,8 +68,9 @@ class ContactTerms {
   void take_part(const ContactTerms& whole, std::span<const int> rows, const std::vector<int>& place,
                  const std::vector<int>& dof_begin);
   void find_slots(const BlockMatrix& matrix);
-  // matrix += contact_d Σ kn n nᵀ over `closed` and ks s sᵀ over `stuck`.
-  void add_stiffness(BlockMatrix& matrix, const std::vector<char>& closed, const std::vector<char>& stuck) const;
+  // matrix += contact_d Σ kn n nᵀ over `closed` and ks s sᵀ over `stuck`; with numbers for these, so many times.
+  template <typename Number>
+  void add_stiffness(BlockMatrix& matrix, const std::vector<Number>& closed, const std::vector<Number>& stuck) const;
 
   const std::vector<ContactRows>& rows() const { return rows_; }
   double factor() const { return factor_; }

@@ -1,6 +1,5 @@
 #pragma once
-// GMRES (Saad & Schultz 1986) without restart, preconditioned from the left: for the few unsymmetric solves whose
-// symmetric part is already factored.
+// GMRES (Saad & Schultz 1986) without restart: for the few unsymmetric solves whose symmetric part is already factored.
 #include <cmath>
 #include <vector>
 
@@ -8,24 +7,22 @@
 
 namespace talus {
 
-// Solves P A x = P b from x = 0 until the preconditioned residual has fallen to `tolerance` of the first; returns the
-// number of products with A. `apply(x, y)` gives y = A x, `precondition(y, z)` z = P y; both may reuse y and z.
-template <typename Apply, typename Precondition>
-int gmres(const Apply& apply, const Precondition& precondition, const Vector& b, double tolerance, int most, Vector& x) {
+// Solves A x = b from x = 0 until the residual has fallen to `tolerance` of the first; returns the number of products
+// with A. `apply(x, y)` gives y = A x and may reuse y.
+template <typename Apply>
+int gmres(const Apply& apply, const Vector& b, double tolerance, int most, Vector& x) {
   std::vector<Vector> basis;
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(most + 1, most);
-  Vector rhs = Vector::Zero(most + 1), z, y;
+  Vector rhs = Vector::Zero(most + 1), z;
   std::vector<double> c(most), s(most);  // Givens rotations
-  precondition(b, z);
-  rhs[0] = z.norm();
+  rhs[0] = b.norm();
   x.setZero(b.size());
   if (rhs[0] == 0) return 0;
-  basis.push_back(z / rhs[0]);
+  basis.push_back(b / rhs[0]);
   const double enough = tolerance * rhs[0];
   int k = 0;
   while (k < most && std::abs(rhs[k]) > enough) {
-    apply(basis[k], y);
-    precondition(y, z);
+    apply(basis[k], z);
     for (int i = 0; i <= k; ++i) {  // modified Gram–Schmidt
       h(i, k) = z.dot(basis[i]);
       z -= h(i, k) * basis[i];

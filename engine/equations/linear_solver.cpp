@@ -1,18 +1,58 @@
 #include "equations/linear_solver.h"
 
 #include <cholmod.h>
+#include <dlfcn.h>
 #include <omp.h>
 
 #include <cstring>
 #include <new>
 #include <stdexcept>
-
-// Present where CHOLMOD's BLAS is OpenBLAS; its own threads do not heed OpenMP's settings.
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+#include <string>
 
 namespace talus {
 
 namespace {
+
+// What is used of CHOLMOD, which is loaded with the first solver: it and its BLAS take 5 ms, a third of what the program
+// would take to start, and reading or checking a scene needs neither.
+struct CholmodLibrary {
+  void* handle;
+  decltype(&cholmod_start) start;
+  decltype(&cholmod_finish) finish;
+  decltype(&cholmod_free_factor) free_factor;
+  decltype(&cholmod_free_dense) free_dense;
+  decltype(&cholmod_amd) amd;
+  decltype(&cholmod_analyze_p) analyze_p;
+  decltype(&cholmod_factorize) factorize;
+  decltype(&cholmod_solve2) solve2;
+
+  CholmodLibrary() : handle(dlopen(name().c_str(), RTLD_NOW | RTLD_LOCAL)) {
+    find("cholmod_start", start);
+    find("cholmod_finish", finish);
+    find("cholmod_free_factor", free_factor);
+    find("cholmod_free_dense", free_dense);
+    find("cholmod_amd", amd);
+    find("cholmod_analyze_p", analyze_p);
+    find("cholmod_factorize", factorize);
+    find("cholmod_solve2", solve2);
+  }
+
+ private:
+  // The one whose header this file was compiled with: its structures are those of that version only.
+  static std::string name() { return "libcholmod.so." + std::to_string(CHOLMOD_MAIN_VERSION); }
+
+  template <class Function>
+  void find(const char* function, Function& found) const {
+    void* const place = handle ? dlsym(handle, function) : nullptr;
+    if (!place) throw std::runtime_error(name() + " of SuiteSparse cannot be loaded: " + dlerror());
+    found = reinterpret_cast<Function>(place);
+  }
+};
+
+const CholmodLibrary& cholmod() {
+  static const CholmodLibrary library;
+  return library;
+}
 
 // CHOLMOD opens OpenMP teams that ignore OMP_NUM_THREADS; on two busy cores they cost 2–5 times what they save.
 class OneThread {
@@ -33,19 +73,21 @@ struct LinearSolver::Cholmod {
   bool good = false;
 
   Cholmod() {
-    cholmod_start(&common);
+    cholmod().start(&common);
     common.print = 0;
     common.error_handler = nullptr;
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.final_ll = 1;
-    if (openblas_set_num_threads) openblas_set_num_threads(1);
+    // Where its BLAS is OpenBLAS: that one's own threads do not heed OpenMP's settings.
+    void* const set_threads = dlsym(cholmod().handle, "openblas_set_num_threads");
+    if (set_threads) reinterpret_cast<void (*)(int)>(set_threads)(1);
   }
   ~Cholmod() {
-    cholmod_free_factor(&factor, &common);
-    cholmod_free_dense(&x, &common);
-    cholmod_free_dense(&y, &common);
-    cholmod_free_dense(&e, &common);
-    cholmod_finish(&common);
+    cholmod().free_factor(&factor, &common);
+    cholmod().free_dense(&x, &common);
+    cholmod().free_dense(&y, &common);
+    cholmod().free_dense(&e, &common);
+    cholmod().finish(&common);
   }
   Cholmod(const Cholmod&) = delete;
   Cholmod& operator=(const Cholmod&) = delete;
@@ -91,7 +133,7 @@ struct LinearSolver::Cholmod {
     graph.dtype = CHOLMOD_DOUBLE;
     graph.sorted = graph.packed = 1;
     std::vector<int> block_order(blocks);
-    cholmod_amd(&graph, nullptr, 0, block_order.data(), &common);
+    cholmod().amd(&graph, nullptr, 0, block_order.data(), &common);
     std::vector<int> unknowns;
     unknowns.reserve(size_t(matrix.dimension()));
     for (int b : block_order)
@@ -107,13 +149,13 @@ void LinearSolver::analyse(const BlockMatrix& matrix) {
   if (matrix.dimension() == 0) return;  // all blocks are held: CHOLMOD refuses an empty matrix
   OneThread one;
   cholmod_common* common = &cholmod_->common;
-  cholmod_free_factor(&cholmod_->factor, common);
+  cholmod().free_factor(&cholmod_->factor, common);
   std::vector<int> order = cholmod_->order(matrix);
   common->nmethods = 1;
   common->method[0].ordering = CHOLMOD_GIVEN;
   common->postorder = 1;
   cholmod_sparse a = Cholmod::view(matrix);
-  cholmod_->factor = cholmod_analyze_p(&a, order.data(), nullptr, 0, common);
+  cholmod_->factor = cholmod().analyze_p(&a, order.data(), nullptr, 0, common);
   if (!cholmod_->factor) throw std::bad_alloc();
   cholmod_->good = false;
 }
@@ -123,7 +165,7 @@ int LinearSolver::factor(const BlockMatrix& matrix) {
   OneThread one;
   ++factorisations;
   cholmod_sparse a = Cholmod::view(matrix);
-  cholmod_factorize(&a, cholmod_->factor, &cholmod_->common);
+  cholmod().factorize(&a, cholmod_->factor, &cholmod_->common);
   if (cholmod_->common.status < 0) throw std::bad_alloc();
   cholmod_->good = cholmod_->common.status == CHOLMOD_OK;
   if (cholmod_->good) return -1;
@@ -142,7 +184,7 @@ void LinearSolver::solve(const Vector& b, Vector& x) {
   rhs.x = const_cast<double*>(b.data());
   rhs.xtype = CHOLMOD_REAL;
   rhs.dtype = CHOLMOD_DOUBLE;
-  cholmod_solve2(CHOLMOD_A, cholmod_->factor, &rhs, nullptr, &cholmod_->x, nullptr, &cholmod_->y, &cholmod_->e,
+  cholmod().solve2(CHOLMOD_A, cholmod_->factor, &rhs, nullptr, &cholmod_->x, nullptr, &cholmod_->y, &cholmod_->e,
                  &cholmod_->common);
   x = Eigen::Map<const Vector>(static_cast<const double*>(cholmod_->x->x), b.size());
 }

@@ -153,13 +153,18 @@ std::vector<Segment> gas_lines(const Placement& placement) {
   return lines;
 }
 
+// Between the two faces; none where these have parted by more than half their length: it would stand in the air.
 std::vector<Segment> failed_lines(const Placement& placement, FailureMode mode) {
   std::vector<Segment> lines;
   for (const Joint& joint : placement.model().joints) {
     if (joint.mode != mode) continue;
-    Segment& line = lines.emplace_back();
-    for (int k = 0; k < 2; ++k)
-      line[k] = (placement.place(joint.a, joint.in_a[k]) + placement.place(joint.b, joint.in_b[k])) / 2;
+    Segment line, apart;
+    for (int k = 0; k < 2; ++k) {
+      const Vec2 a = placement.place(joint.a, joint.in_a[k]), b = placement.place(joint.b, joint.in_b[k]);
+      line[k] = (a + b) / 2;
+      apart[k] = b - a;
+    }
+    if ((apart[0] + apart[1]).norm() < (line[1] - line[0]).norm()) lines.push_back(line);
   }
   return lines;
 }

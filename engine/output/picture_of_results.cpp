@@ -59,17 +59,20 @@ std::vector<Segment> segments(const ResultFrame& lines, const PlacedBlocks& plac
 
 // Cracks by mode, those with gas in them orange beneath; says so in the note.
 void add_cracks(Scenery& scenery, const ResultFrame& cracks, const PlacedBlocks& placed) {
-  const ResultArray *mode = cracks.cell("mode"), *gas = cracks.cell("gas");
+  const ResultArray *mode = cracks.cell("mode"), *gas = cracks.cell("gas"), *opening = cracks.cell("opening");
   const std::vector<Segment> all = segments(cracks, placed);
   SceneryLines with_gas = {{}, gas_colour, 4.5}, real = {{}, "#7a5c3a", 1.2}, shear = {{}, shear_crack_colour},
                tension = {{}, tension_crack_colour};
+  int count[3] = {};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const int how = mode ? int(mode->at(i)) : 0;
+    if (how == 1 || how == 2) ++count[how];
+    if (opening && opening->at(i) > (all[i][1] - all[i][0]).norm() / 2) continue;  // it would stand in the air
     (how == 1 ? tension : how == 2 ? shear : real).lines.push_back(all[i]);
     if (gas && gas->at(i) > 0) with_gas.lines.push_back(all[i]);
   }
-  if (!tension.lines.empty()) scenery.note += ", " + std::to_string(tension.lines.size()) + " failed in tension (black)";
-  if (!shear.lines.empty()) scenery.note += ", " + std::to_string(shear.lines.size()) + " in shear (magenta)";
+  if (count[1] > 0) scenery.note += ", " + std::to_string(count[1]) + " failed in tension (black)";
+  if (count[2] > 0) scenery.note += ", " + std::to_string(count[2]) + " in shear (magenta)";
   if (!with_gas.lines.empty()) scenery.note += ", gas in cracks (orange)";
   scenery.lines = {with_gas, real, shear, tension};
 }

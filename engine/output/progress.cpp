@@ -42,17 +42,20 @@ std::string progress_line(const StepReport& step, double t_end, double running) 
   return line;
 }
 
-std::string done_line(long steps, long blocks, double cpu) {
+std::string done_line(long steps, long blocks, double cpu, const std::string& folder) {
   const auto count = [](long n, const std::string& thing) {
     return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
   };
   return "done: " + count(steps, "step") + ", " + count(blocks, "block") + ", " + fixed(cpu, cpu < 10 ? 2 : 0) +
-         " s CPU";
+         " s CPU" + (folder.empty() ? "" : "; results in " + folder);
 }
 
-Progress::Progress(bool terminal) : terminal_(terminal), started_(wall_seconds()) {}
+double Progress::latest_ = 0;
+
+Progress::Progress(bool terminal) : terminal_(terminal), started_(wall_seconds()), began_(latest_), stepped_(began_) {}
 
 void Progress::after_step(const Simulation& simulation) {
+  stepped_ = latest_ = cpu_seconds();
   const double running = wall_seconds() - started_;
   // The first line comes when the run has proved not to be a short one.
   const double due = last_ > 0   ? last_ + (terminal_ ? terminal_every : plain_every)
@@ -66,7 +69,8 @@ void Progress::after_step(const Simulation& simulation) {
 
 void Progress::done(const Simulation& simulation) {
   if (terminal_ && last_ > 0) std::cerr << clear_line;
-  std::cerr << done_line(simulation.totals.steps, static_cast<long>(simulation.model.shapes.size()), cpu_seconds())
+  std::cerr << done_line(simulation.totals.steps, static_cast<long>(simulation.model.shapes.size()), stepped_ - began_,
+                         simulation.model.scene.output.dir)
             << std::endl;
 }
 

@@ -35,7 +35,7 @@ void add_totals(Json& json, const RunTotals& totals) {
   json.whole("by_sweeps", totals.islands.by_sweeps).whole("with_factor", totals.islands.with_factor);
   json.whole("asleep", totals.islands.asleep).end();
   if (totals.inaccurate > 0) json.whole("inaccurate_steps", totals.inaccurate);
-  json.whole("sweeps", totals.sweeps).whole("factorisations", totals.factorisations).number("largest_residual", totals.largest_residual);
+  json.whole("sweeps", totals.sweeps).whole("splittings", totals.splittings).whole("factorisations", totals.factorisations).number("largest_residual", totals.largest_residual);
 }
 
 void add_energy(Json& json, const Simulation& simulation) {

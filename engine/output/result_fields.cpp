@@ -144,4 +144,10 @@ ResultField result_field(const ResultsFolder& run, std::size_t frame, const Resu
   refuse(run, frame, blocks, name);
 }
 
+std::string array_of(const std::string& field) {
+  for (const Derived& one : derived)
+    if (field == one.name) return one.array;
+  return field;
+}
+
 }  // namespace talus

@@ -16,4 +16,7 @@ ResultField result_field(const ResultsFolder& run, std::size_t frame, const Resu
 // Scalars made of the components of arrays of vectors: "ux", "speed", …
 std::optional<std::vector<double>> values_of(const ResultFrame& frame, const std::string& name);
 
+// The array that a field is made of: "velocity" for "speed"; else itself.
+std::string array_of(const std::string& field);
+
 }  // namespace talus

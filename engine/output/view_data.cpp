@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "output/result_fields.h"
 #include "scene/error.h"
 #include "script/nearest.h"
 
@@ -16,7 +17,9 @@ constexpr std::array of_cracks = {"mode", "failed_at", "gas", "gas_pressure"};  
 
 class Collector {
  public:
-  Collector(const ResultsFolder& run, const std::vector<std::string>& fields) : run_(run), fields_(fields) {}
+  Collector(const ResultsFolder& run, const std::vector<std::string>& fields) : run_(run) {
+    for (const std::string& field : fields) fields_.push_back(array_of(field));
+  }
   ViewData collect(const std::vector<std::size_t>& frames);
 
  private:
@@ -34,7 +37,7 @@ class Collector {
   void check_fields() const;
 
   const ResultsFolder& run_;
-  const std::vector<std::string>& fields_;
+  std::vector<std::string> fields_;
   std::vector<std::string> known_;
   ViewData data_;
 };

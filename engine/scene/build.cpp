@@ -1,5 +1,6 @@
 #include "scene/build.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,18 +12,11 @@ namespace talus {
 
 namespace {
 
-struct SceneBox {
-  Vec2 low, high;
-};
-
-SceneBox scene_box(const Scene& scene) {
-  SceneBox box{scene.regions[0].outlines[0][0], scene.regions[0].outlines[0][0]};
+Eigen::AlignedBox2d scene_box(const Scene& scene) {
+  Eigen::AlignedBox2d box;
   for (const Region& region : scene.regions)
     for (const Polyline& outline : region.outlines)
-      for (const Vec2& p : outline) {
-        box.low = box.low.cwiseMin(p);
-        box.high = box.high.cwiseMax(p);
-      }
+      for (const Vec2& p : outline) box.extend(p);
   return box;
 }
 
@@ -101,8 +95,9 @@ Model build(Scene scene) {
   check_regions(scene);
   default_contact(scene);
   Model model;
-  const SceneBox box = scene_box(scene);
-  const Vec2 centre = (box.low + box.high) / 2, size = box.high - box.low;
+  doubt_units(scene, model.notes);
+  const Eigen::AlignedBox2d box = scene_box(scene);
+  const Vec2 centre = box.center(), size = box.sizes();
   if (centre.norm() > 10 * size.norm()) model.origin = centre;  // else the user's own coordinates
   model.extent = size.minCoeff() > 1e-3 * size.maxCoeff() ? size.y() / 2 : size.maxCoeff() / 2;
   shift(scene, model.origin);

@@ -1,4 +1,5 @@
 // What can be wrong with regions and their weight, said before any block is made.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,16 +12,9 @@ namespace talus {
 
 namespace {
 
-struct Box {
-  Vec2 low, high;
-};
-
-Box box_of(const Polyline& polygon) {
-  Box box{polygon[0], polygon[0]};
-  for (const Vec2& p : polygon) {
-    box.low = box.low.cwiseMin(p);
-    box.high = box.high.cwiseMax(p);
-  }
+Eigen::AlignedBox2d box_of(const Polyline& polygon) {
+  Eigen::AlignedBox2d box;
+  for (const Vec2& p : polygon) box.extend(p);
   return box;
 }
 
@@ -72,16 +66,16 @@ void check_overlaps(const Scene& scene) {
   struct Piece {
     const Region* region;
     const Polyline* outline;
-    Box box;
+    Eigen::AlignedBox2d box;
   };
   std::vector<Piece> pieces;
   for (const Region& region : scene.regions)
     for (const Polyline& outline : region.outlines) pieces.push_back({&region, &outline, box_of(outline)});
   std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const Piece& a, const Piece& b) { return a.box.low.x() < b.box.low.x(); });
+                   [](const Piece& a, const Piece& b) { return a.box.min().x() < b.box.min().x(); });
   for (size_t a = 0; a < pieces.size(); ++a) {
-    for (size_t b = a + 1; b < pieces.size() && pieces[b].box.low.x() < pieces[a].box.high.x(); ++b) {
-      const Vec2 shared = pieces[a].box.high.cwiseMin(pieces[b].box.high) - pieces[a].box.low.cwiseMax(pieces[b].box.low);
+    for (size_t b = a + 1; b < pieces.size() && pieces[b].box.min().x() < pieces[a].box.max().x(); ++b) {
+      const Vec2 shared = pieces[a].box.intersection(pieces[b].box).sizes();  // negative where they are apart
       const double smaller = std::min(signed_area(*pieces[a].outline), signed_area(*pieces[b].outline));
       if (shared.minCoeff() <= 0 || shared.prod() < slight_overlap * smaller) continue;
       const double area = overlap_area(*pieces[a].outline, *pieces[b].outline);
@@ -182,12 +176,12 @@ double squares_of(const Region& region) {
   const Mesh& mesh = region.mesh;
   if (!mesh.size_at) return area_of(region) / (mesh.size * mesh.size);
   constexpr int samples = 48;
-  const Box box = box_of(region.outlines[0]);
-  const Vec2 step = (box.high - box.low) / samples;
+  const Eigen::AlignedBox2d box = box_of(region.outlines[0]);
+  const Vec2 step = box.sizes() / samples;
   std::vector<double> size(samples * samples, 0);
   for (int i = 0; i < samples; ++i)
     for (int j = 0; j < samples; ++j) {
-      const Vec2 p = box.low + Vec2((i + 0.5) * step.x(), (j + 0.5) * step.y());
+      const Vec2 p = box.min() + Vec2((i + 0.5) * step.x(), (j + 0.5) * step.y());
       const auto in_hole = [&p](const Hole& hole) { return contains(hole.outline, p); };
       if (!contains(region.outlines[0], p) || std::any_of(region.holes.begin(), region.holes.end(), in_hole)) continue;
       size[i * samples + j] = mesh.size_at(p);

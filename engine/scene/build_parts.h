@@ -12,6 +12,7 @@ struct FreeEdge {
 };
 
 void check_regions(Scene& scene);                                          // also turns outlines counter-clockwise
+void doubt_units(const Scene& scene, std::vector<std::string>& notes);      // what looks like a forgotten unit
 std::vector<FreeEdge> build_blocks(Model& model);                          // blocks, joints, nodes
 void attach(Model& model, const std::vector<FreeEdge>& edges);             // fixities, loads, viscous boundaries, probes
 void attach_charges(Model& model, const std::vector<FreeEdge>& edges);     // hole walls; after attach()

@@ -36,7 +36,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& kno
   for (const std::string& candidate : known)
     if (lower(candidate) == small) return candidate;
   std::string best;
-  std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
+  std::size_t least = std::max<std::size_t>(2, (word.size() + 1) / 3) + 1;
   for (const std::string& candidate : known) {
     const std::size_t d = distance(small, lower(candidate));
     if (d < least && d < std::max(word.size(), candidate.size())) {

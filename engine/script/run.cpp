@@ -12,6 +12,7 @@
 #include "script/lua_error.h"
 #include "script/simulation_view.h"
 #include "script/table_view.h"
+#include "step/step.h"
 #include "step/part_timer.h"
 
 namespace talus {
@@ -72,6 +73,7 @@ std::shared_ptr<Run> Run::create(Scene scene, RunHandlers handlers, const RunSet
   } catch (const RunError& error) {
     throw ScriptError(ErrorKind::input, error.what());
   }
+  run->simulation.stepper().on_equilibrium_solve = throw_if_interrupted;
   run->number_ = settings.number;
   run->command_line_ = settings.command_line;
   run->restart_ = settings.restart;
@@ -138,6 +140,7 @@ std::optional<StepReport> Run::step() {
     if (!began_ && output_) output_->after_step(simulation);  // the start
     began_ = true;
     simulation.step();
+    tell_notes();
   } catch (const LawError& error) {
     failure_ = error.what();
     throw;
@@ -154,9 +157,13 @@ std::optional<StepReport> Run::step() {
 
 void Run::begin() {
   simulation.begin();
+  tell_notes();
+}
+
+void Run::tell_notes() {
   const Place& place = simulation.model.scene.time.place;  // the line of talus.simulation
-  for (const std::string& note : simulation.notes)
-    std::cerr << "note: " << (place.file.empty() ? "" : place.text() + ": ") << note << '\n';
+  for (; told_ < simulation.notes.size(); ++told_)
+    std::cerr << "note: " << (place.file.empty() ? "" : place.text() + ": ") << simulation.notes[told_] << '\n';
 }
 
 std::uint64_t Run::layout() const {

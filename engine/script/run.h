@@ -78,6 +78,7 @@ class Run {
  private:
   std::string full_outcome(const std::string& outcome) const;
   void begin();
+  void tell_notes();  // those that came since
   void start_output(const RunSettings& settings);
   std::uint64_t layout() const;  // of the tables that save() writes
   void check_restart(const Restart& restart) const;
@@ -92,6 +93,7 @@ class Run {
   std::vector<ResultLine> results_;
   std::optional<Restart> restart_;
   int number_ = 1;
+  std::size_t told_ = 0;  // notes
   std::string failure_, command_line_;
   double made_ = wall_seconds();
   Phase phase_ = Phase::idle;

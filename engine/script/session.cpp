@@ -185,9 +185,18 @@ std::optional<StepReport> Session::step(lua_State* L, const std::shared_ptr<Run>
   }
   throw_if_interrupted();
   if (enough) throw ScriptError(ErrorKind::run, "stopped by " + limits.steps_text);
-  auto report = run->step();
-  if (report) ++steps_;
-  return report;
+  try {
+    auto report = run->step();
+    if (report) ++steps_;
+    return report;
+  } catch (const ScriptError& error) {
+    // Left in the middle of a search for equilibrium: the state is again that from before the step.
+    if (checkpoints_ && error.kind == ErrorKind::interrupt) {
+      const InterruptsHeld hold;
+      checkpoints_->between_steps(L, run, true);
+    }
+    throw;
+  }
 }
 
 // What goes wrong after something has is most often the same: one message.

@@ -72,6 +72,7 @@ void push_totals(lua_State* L, const Simulation& simulation) {
   set_integer(L, "steps_at_rest", totals.steps_at_rest);
   set_integer(L, "steps_by_sweeps", totals.steps_by_sweeps);
   set_integer(L, "sweeps", totals.sweeps);
+  set_integer(L, "splittings", totals.splittings);
   push_islands(L, totals.islands);
   lua_setfield(L, -2, "islands");
   set_integer(L, "iterations", totals.iterations);

@@ -28,6 +28,16 @@ struct ContactProblem {
     return solver.factor(system.matrix);
   }
 
+  // The matrix with so much of the contacts' stiffness, see ContactTerms::add_stiffness.
+  template <typename Number>
+  int factor_with(const std::vector<Number>& closed, const std::vector<Number>& stuck) {
+    std::vector<double> linear = system.matrix.values;
+    contacts.add_stiffness(system.matrix, closed, stuck);
+    const int singular = factor();
+    system.matrix.values.swap(linear);
+    return singular;
+  }
+
   const Contact& before(size_t row) const { return model->contacts[contacts.rows()[row].contact]; }
 
  private:

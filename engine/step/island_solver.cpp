@@ -127,6 +127,7 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
         own_d.segment(problem.dof_begin[l], problem.dofs[l]);
   result.solves += own.iterations;
   result.sweeps += own.sweeps;
+  result.splittings += own.splittings;
   result.factorisations += problem.solver.factorisations - before;
   result.total_effort += own.effort() * double(problem.blocks.size()) / double(step.model.shapes.size());
   ++(own.iterations == 0 ? result.islands.by_sweeps : result.islands.with_factor);

@@ -10,7 +10,7 @@
 
 namespace talus {
 
-struct IslandResult : OpenCloseResult {  // iterations, residual: of the worst island; sweeps: of all
+struct IslandResult : OpenCloseResult {  // iterations, residual: of the worst island; sweeps, splittings: of all
   long solves = 0;                       // iterations of all
   long factorisations = 0;
   double total_effort = 0;               // in factors of the whole scene

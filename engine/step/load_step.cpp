@@ -1,6 +1,7 @@
 // Static loading: increments of load that stop where the first bond reaches its strength, and bonds that fail under a load
 // held until nothing more breaks.
 #include <algorithm>
+#include <cmath>
 
 #include "step/restored.h"
 #include "step/step.h"
@@ -10,6 +11,17 @@ namespace talus {
 namespace {
 
 constexpr double least_increment = 1e-6;  // part of t_end
+// Bounds of a load step, so that it ends whatever its contacts and bonds do. What stands is found in some hundreds of
+// solves, also where bonds soften near their limit.
+constexpr int most_search_solves = 1000;  // of one look for equilibrium
+constexpr int most_vain_solves = 3000;    // of all those of a load step that found none
+// Where bonds soften, one that goes on for longer has most often passed the load they bear: a shorter increment is
+// cheaper.
+constexpr int hasty_solves = 30;
+constexpr int hasty_cuts = 2;
+constexpr int careful_cuts = 4;           // as interpolated; those that follow halve an increment at least
+// In a row, that neither come to the load asked for nor break a bond.
+constexpr int most_short_increments = 60;
 
 // What bonds that fail under a held load give off while the rock moves to its new equilibrium: half of the derivative of
 // their vanished potential along the way it goes, of ∫ {σ}n · g + ½ k g² the tractions along the jumps that follow (the
@@ -77,38 +89,49 @@ StepReport Stepper::load_step(double to, bool first) {
   return due.empty() ? raise_load(to, first) : break_bonds(due);
 }
 
+// Where the first bond comes to its strength if utilisations go on as they have come up. Farther each time that it has
+// not come to it.
+double Stepper::foreseen(double from, double to, double utilisation) const {
+  if (!(utilisation > 0)) return to;
+  const double ahead = from * ((1 + model_.scene.fracture.overshoot / 2) / utilisation - 1);
+  return ahead > 0 ? std::min(to, from + ahead * std::pow(2.0, short_increments_)) : to;
+}
+
 // Utilisations grow about in proportion to the load: an increment that passes a strength by more than the overshoot is
 // taken again, to where the first bond reaches it.
 StepReport Stepper::raise_load(double to, bool first) {
-  const double from = model_.time, least = least_increment * model_.scene.time.t_end;
+  const double from = model_.time, soonest = from + least_increment * model_.scene.time.t_end;
   const double overshoot = model_.scene.fracture.overshoot, before = fracture_->judge();
-  double until = to;
-  for (;;) {
+  double until = foreseen(from, to, before);
+  int vain = 0;  // solves
+  for (int cuts = 0;; ++cuts) {
     Restored attempt(model_);
     model_.time = until;
     const LoadStepBooking booking(model_, supports_, from, first);
     const BridgeBooking bridges(model_);
     Equilibrium search;
+    search.most_solves = cuts < hasty_cuts && bridges_.any() ? hasty_solves : most_search_solves;
     const bool found = balance(search);
+    if (!found) vain += search.report.iterations;
     const double after = found ? fracture_->judge() : 0;
     search.report.utilisation = after;
-    if (found && (after <= 1 + overshoot || until - from <= least)) {
+    if (found && (after <= 1 + overshoot || until <= soonest)) {
       attempt.keep();
       booking.book(model_, supports_, ledger_);
       bridges.book(model_, ledger_);
       fracture_->weaken();
+      short_increments_ = until < to && !bonds_due() ? short_increments_ + 1 : 0;
       return search.report;
     }
-    if (!found && until - from <= least) {
+    const bool enough = vain > most_vain_solves || short_increments_ > most_short_increments;
+    if (!found && (until <= soonest || enough)) {
       if (totals_.failures == 0) give_up(search);
+      const StepReport report = collapse(search);
       attempt.back();
-      collapse_ = block_name(model_, culprit(search));
-      StepReport report;
-      report.collapsed = true;
       return report;
     }
     const double part = found ? (1 + overshoot / 2 - before) / (after - before) : 0.25;
-    until = std::max(from + std::clamp(part, 0.01, 0.95) * (until - from), from + least);
+    until = std::max(from + std::clamp(part, 0.01, cuts < careful_cuts ? 0.95 : 0.5) * (until - from), soonest);
     ++totals_.cuts;
   }
 }
@@ -123,6 +146,7 @@ StepReport Stepper::break_bonds(const std::vector<int>& due) {
   const BridgeBooking bridges(model_);
   Restored at_failure(model_);
   Equilibrium search;
+  search.most_solves = most_search_solves;
   StepReport report;
   if (balance(search)) {
     at_failure.keep();
@@ -133,17 +157,25 @@ StepReport Stepper::break_bonds(const std::vector<int>& due) {
     fracture_->weaken();
     fracture_->judge();
   } else {
-    report.collapsed = true;
-    collapse_ = block_name(model_, culprit(search));
+    report = collapse(search);
   }
   report.utilisation = most;
   report.failures = int(due.size());
   return report;
 }
 
+StepReport Stepper::collapse(const Equilibrium& search) {
+  collapse_ = block_name(model_, culprit(search)) + " keeps moving";
+  const std::string alternating = search.alternation.text(model_);
+  if (!alternating.empty()) collapse_ += "; " + alternating;
+  StepReport report;
+  report.collapsed = true;
+  return report;
+}
+
 std::string Stepper::collapse_note() const {
   return "no equilibrium beyond t = " + std::to_string(model_.time) + " s: " + collapse_ +
-         " keeps moving; the run ends with the last equilibrium there was";
+         "; the run ends with the last equilibrium there was";
 }
 
 }  // namespace talus

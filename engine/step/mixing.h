@@ -10,39 +10,48 @@ namespace talus {
 
 class Mixing {
  public:
+  explicit Mixing(int memory = 8) : memory_(memory), products_(memory, memory) {}  // changes that are mixed
+
   // The point to go on from, after `from` was moved by `change`.
   Vector next(const Vector& from, const Vector& change) {
-    if (last_.size() > 0 && change.norm() > 2 * last_change_.norm()) {
-      moves_.clear();  // what was learnt no longer holds
-      changes_.clear();
-    } else if (last_.size() > 0) {
-      moves_.push_back(from - last_);
-      changes_.push_back(change - last_change_);
-      if (moves_.size() > memory) {
-        moves_.pop_front();
-        changes_.pop_front();
-      }
-    }
+    if (last_.size() > 0 && change.squaredNorm() > 4 * last_change_.squaredNorm())
+      differences_.clear();  // what was learnt no longer holds
+    else if (last_.size() > 0)
+      remember(from, change);
     last_ = from;
     last_change_ = change;
-    const int count = int(moves_.size());
-    Eigen::MatrixXd products(count, count);
-    Vector right(count);
-    for (int a = 0; a < count; ++a) {
-      right[a] = changes_[a].dot(change);
-      for (int b = 0; b <= a; ++b) products(a, b) = products(b, a) = changes_[a].dot(changes_[b]);
-      products(a, a) *= 1 + 1e-10;  // changes that repeat each other leave it singular
-    }
     Vector x = from + change;
+    const auto count = Eigen::Index(differences_.size());
     if (count == 0) return x;
+    Vector right(count);
+    for (Eigen::Index a = 0; a < count; ++a) right[a] = differences_[size_t(a)].change.dot(change);
+    Eigen::MatrixXd products = products_.topLeftCorner(count, count);
+    products.diagonal() *= 1 + 1e-10;  // changes that repeat each other leave it singular
     const Vector weights = products.ldlt().solve(right);
-    for (int a = 0; a < count; ++a) x -= weights[a] * (moves_[a] + changes_[a]);
+    for (Eigen::Index a = 0; a < count; ++a) x -= weights[a] * differences_[size_t(a)].reached;
     return x;
   }
 
  private:
-  static constexpr size_t memory = 8;
-  std::deque<Vector> moves_, changes_;
+  struct Difference {  // between two points that followed each other
+    Vector change, reached;  // reached: of where they were moved to
+  };
+
+  void remember(const Vector& from, const Vector& change) {
+    if (int(differences_.size()) == memory_) {
+      differences_.pop_front();
+      const Eigen::MatrixXd kept = products_.bottomRightCorner(memory_ - 1, memory_ - 1);
+      products_.topLeftCorner(memory_ - 1, memory_ - 1) = kept;
+    }
+    differences_.push_back({change - last_change_, from - last_ + change - last_change_});
+    const auto own = Eigen::Index(differences_.size()) - 1;
+    for (Eigen::Index a = 0; a <= own; ++a)
+      products_(a, own) = products_(own, a) = differences_[size_t(a)].change.dot(differences_.back().change);
+  }
+
+  int memory_;
+  std::deque<Difference> differences_;
+  Eigen::MatrixXd products_;  // of the changes with each other
   Vector last_, last_change_;
 };
 

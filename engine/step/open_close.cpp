@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace talus {
 
@@ -12,9 +13,11 @@ namespace {
 constexpr double factor_per_pair = 75;
 constexpr int least_worth = 10, most_worth = 200;
 constexpr int pairs_between = 20;  // after a step of Newton's, to put its states right; in heaps they cost more than a factor
-constexpr int mixed_pairs = 300;  // where Newton's step has led away
 using Carry = ContactSweeps::Carry;
-constexpr int patience = 6;  // iterations that do not halve the change of the sweeps, before the step is cut
+constexpr int splittings = 80;    // iterations a round
+constexpr int least_quiet = 4;    // iterations in which no state changes: they are tried
+constexpr int patience = 6;       // rounds that do not halve the change of the splitting, before the step is cut
+constexpr int most_full = 8;      // Newton's steps from the splitting's states
 constexpr int pairs_alone = 10000;  // where no factor is allowed: as tests/contact gives its candidates
 constexpr int few = 20;             // one state in so many has changed: the coupled law is tried
 constexpr int most_coupled = 4;     // steps of the coupled law in a row
@@ -48,8 +51,8 @@ OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSetting
   return result;
 }
 
-// Sweeps, and where they are slow Newton's steps from their states, each followed by sweeps from its forces. Where
-// those end farther from rest than the sweeps before, Newton's step has led away: back, and more sweeps.
+// Sweeps, and where they are slow Newton's steps from their states, each followed by sweeps from its forces, as long as that
+// halves what the sweeps still change; then the splitting.
 void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
                              OpenCloseResult& result) {
   const double tolerance = settings.tolerance;
@@ -59,32 +62,61 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
       std::clamp(int(factor_per_pair * blocks / count * std::sqrt(blocks / 1000)), least_worth, most_worth);
   result.converged = sweep(problem, 3 * worth, worth, Carry::momentum, d, result) <= tolerance;
   take_states(problem);
-  double reached = result.sweep_change;
-  int in_vain = 0;
-  while (!result.converged && !missed_ && result.iterations < settings.max_iterations && in_vain < patience &&
+  bool halved = true;
+  while (halved && !result.converged && !missed_ && result.iterations < settings.max_iterations &&
          result.effort() < settings.most_effort) {
-    const std::vector<double> normal = normal_, shear = shear_;
+    const double before = result.sweep_change;
     if (!factor(problem, result)) return;
     ++result.iterations;
     predict(problem, d, result);
     const auto closed = std::count(closed_.begin(), closed_.end(), 1);
     for (int k = 0; k < most_coupled && result.residual > tolerance && few * changed_states(problem) <= closed;
          ++k)
-      if (!coupled_step(problem, tolerance, d, result)) break;
+      if (!coupled_step(problem, d, result)) break;
     if ((result.converged = result.residual <= tolerance)) return;
     take_forces(problem);
     const int pairs = pairs_between * result.iterations;
     result.converged = sweep(problem, pairs, 0, Carry::momentum, d, result) <= tolerance;
-    if (!result.converged && !missed_ && !(result.sweep_change < reached)) {
-      normal_ = normal;
-      shear_ = shear;
-      result.converged = sweep(problem, mixed_pairs, 0, Carry::mixing, d, result) <= tolerance;
-    }
-    if (!(result.sweep_change < 0.5 * reached)) ++in_vain;
-    reached = result.sweep_change;
     take_states(problem);
+    halved = result.sweep_change < 0.5 * before;
   }
+  if (!halved && !result.converged && !missed_) solve_by_splitting(problem, settings, d, result);
   result.missed = !result.converged && missed_;
+}
+
+// The splitting, and whenever its states have settled Newton's whole steps from them. Where these lead away it goes on from
+// where it was, with springs for the states that it has found.
+void OpenClose::solve_by_splitting(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
+                                   OpenCloseResult& result) {
+  const double tolerance = settings.tolerance;
+  double least = std::numeric_limits<double>::infinity();
+  int in_vain = 0, quiet = least_quiet;
+  for (bool rough = true; !missed_ && result.iterations < settings.max_iterations && in_vain < patience &&
+                          result.effort() < settings.most_effort;
+       rough = false) {
+    ++result.iterations;
+    factored_closed_.clear();
+    const auto progress = splitting_.run(problem, rough, quiet, splittings + 2 * quiet, {normal_, shear_, closed_, stuck_}, d);
+    result.splittings += progress.iterations;
+    if (!progress.factored) return;
+    if (rough) continue;
+    if (!(progress.change < 0.5 * least)) ++in_vain;
+    least = std::min(least, progress.change);
+    if (!progress.settled) continue;
+    quiet *= 2;  // where these states are wrong
+    const std::vector<char> closed = closed_;
+    const Vector reached = d;
+    if (!factor(problem, result)) return;
+    ++result.iterations;
+    predict(problem, d, result);
+    for (int k = 0; k < most_full && result.residual > tolerance && result.residual < 1; ++k)
+      full_step(problem, d, result);
+    if ((result.converged = result.residual <= tolerance)) return;
+    d = reached;
+    problem.system.matrix.multiply(d, kd_.setZero(d.size()));
+    arrive(problem, d, result);  // whether a contact is missed there
+    closed_ = closed;
+  }
 }
 
 // Asked for: no factor, whatever it costs.
@@ -107,7 +139,7 @@ void OpenClose::solve_by_newton(ContactProblem& problem, const OpenCloseSettings
     ++result.iterations;
     if (result.iterations == 1)
       predict(problem, d, result);
-    else if (changed_states(problem) > 0 || !coupled_step(problem, tolerance, d, result))
+    else if (changed_states(problem) > 0 || !coupled_step(problem, d, result))
       convex_step(problem, d, result);
     result.converged = result.residual <= tolerance;
     if (!std::isfinite(result.residual)) return;

@@ -1,26 +1,29 @@
 #pragma once
 // The contact solution of a step: which contacts are open, which stick, which slip, and the unknowns that go with
-// it. Motion is solved by sweeps over contact forces with Newton's steps between them; equilibrium by Newton's steps
-// on the coupled Coulomb law where states have settled, else on the convex potential of springs and of friction
-// at a frozen normal force (docs/theory.md, § 6). A solution is
-// accepted only when the residual of the coupled law, friction at the present normal force, is below its tolerance
-// in every block: not when the states have stopped flipping.
+// it. Motion is solved by sweeps over contact forces with Newton's steps between them, and by a splitting where these
+// do not get on; equilibrium by Newton's steps on the coupled Coulomb law where states have settled, else on the convex
+// potential of springs and of friction at a frozen normal force (docs/theory.md, § 6). A solution is accepted only when
+// the residual of the coupled law, friction at the present normal force, is below its tolerance in every block: not when
+// the states have stopped flipping.
 #include <algorithm>
 #include <limits>
 
 #include "step/contact_problem.h"
+#include "step/contact_splitting.h"
 #include "step/contact_sweeps.h"
 
 namespace talus {
 
 constexpr double sweep_effort = 0.01;  // of a factor: a sweep over some contacts a block
+constexpr double splitting_effort = 0.08;  // an iteration of the splitting
 
 struct OpenCloseResult {
   bool converged = false;
   bool missed = false;  // a contact presses that was not solved for
   int iterations = 0;   // solves with a factor
   int sweeps = 0;
-  double effort() const { return iterations + sweep_effort * sweeps; }  // factors
+  int splittings = 0;  // iterations
+  double effort() const { return iterations + sweep_effort * sweeps + splitting_effort * splittings; }  // factors
   double sweep_change = 0;  // N, of the forces in the last pair
   double residual = 0;      // largest over blocks, of force scale
   int worst_block = -1;
@@ -59,6 +62,7 @@ class OpenClose {
   void take_forces(const ContactProblem& problem);
   void solve_motion(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
                     OpenCloseResult& result);
+  void solve_by_splitting(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, OpenCloseResult& result);
   void solve_by_sweeps(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result);
   void solve_by_newton(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
                     OpenCloseResult& result);
@@ -67,7 +71,12 @@ class OpenClose {
   bool factor(ContactProblem& problem, OpenCloseResult& result);
   void predict(ContactProblem& problem, Vector& d, OpenCloseResult& result);
   void convex_step(ContactProblem& problem, Vector& d, OpenCloseResult& result);
-  bool coupled_step(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result);
+  struct Change;
+  std::vector<Change> coupled_changes(const ContactProblem& problem) const;
+  static void solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, Vector& p);
+  void follow_friction(ContactProblem& problem, Vector& d);
+  void full_step(ContactProblem& problem, Vector& d, OpenCloseResult& result);
+  bool coupled_step(ContactProblem& problem, Vector& d, OpenCloseResult& result);
   // Takes `step` of p_: places, friction limits and the residual follow.
   void advance(const ContactProblem& problem, double step, Vector& d, OpenCloseResult& result);
   // d was changed: the same.
@@ -76,7 +85,6 @@ class OpenClose {
   double contact_slope(const ContactRows& row, size_t k, double step, double gap_rate, double slide_rate,
                        double factor) const;
   double normal_force(const ContactRows& row, size_t k) const { return row.kn * std::max(0.0, -gap_[k]); }
-  static double friction_limit(const ContactRows& row, double normal);
   void judge_residual(const ContactProblem& problem, double place_rounding, OpenCloseResult& result);
   double line_search(const ContactProblem& problem, const Vector& p, double slope0, double curvature) const;
 
@@ -85,6 +93,7 @@ class OpenClose {
   std::vector<char> closed_, stuck_, factored_closed_, factored_stuck_;
   std::vector<double> normal_, shear_;  // N, forces of the sweeps
   ContactSweeps sweeps_;
+  ContactSplitting splitting_;
   bool missed_ = false;
   Vector kd_, r_, p_, kp_;
 };

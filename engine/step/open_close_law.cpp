@@ -20,10 +20,6 @@ double size_of_places(const Model& model, const Contact& contact) {
 
 }  // namespace
 
-double OpenClose::friction_limit(const ContactRows& row, double normal) {
-  return (normal > 0 ? (std::isinf(row.friction) ? row.friction : row.friction * normal) : 0) + row.cohesion;
-}
-
 void OpenClose::evaluate(const ContactProblem& problem, const Vector& d) {
   const auto& rows = problem.contacts.rows();
   missed_ = false;

@@ -15,18 +15,14 @@ constexpr double slope_part = 0.05;
 // Products with the matrix in one unsymmetric solve; each costs a back-substitution, a tenth of a factor.
 constexpr int most_products = 40;
 constexpr double least_step = 1.0 / 64;
-constexpr double coarse =
-    1e-3;  // of the residual: what a solve of the coupled law leaves, as states change anyway
+constexpr double coarse = 1e-2;  // what a solve of the coupled law leaves, as states change anyway
 
 }  // namespace
 
 bool OpenClose::factor(ContactProblem& problem, OpenCloseResult& result) {
   if (result.iterations > 0 && closed_ == factored_closed_ && stuck_ == factored_stuck_) return true;
-  std::vector<double> linear = problem.system.matrix.values;
-  problem.contacts.add_stiffness(problem.system.matrix, closed_, stuck_);
-  const int singular = problem.factor();
+  const int singular = problem.factor_with(closed_, stuck_);
   result.singular_block = singular < 0 ? -1 : problem.blocks[singular];
-  problem.system.matrix.values.swap(linear);
   factored_closed_ = closed_;
   factored_stuck_ = stuck_;
   return result.singular_block < 0;
@@ -50,9 +46,26 @@ void OpenClose::arrive(const ContactProblem& problem, const Vector& d, OpenClose
   judge_residual(problem, 0, result);
 }
 
-// The unknowns at the present states: what presses may pull, what sticks has no limit and what slips keeps its
-// force. From the states of the last step, where few change in a step, this is nearly the answer, as it is from
-// those of the sweeps.
+// A column of what the coupled law adds to the factored matrix, u vᵀ: force along a contact's normal or shear row, N/m,
+// that follows its motion along one of them.
+struct OpenClose::Change {
+  const ContactRows* row;
+  bool shear_force, shear_motion;
+  double stiffness;
+  double motion(const Vector& x) const {
+    return shear_motion ? row->along(row->shear_i, row->shear_j, x) : row->along(row->normal_i, row->normal_j, x);
+  }
+  void add_force(double motion, Vector& f) const {
+    if (shear_force)
+      row->add(row->shear_i, row->shear_j, stiffness * motion, f);
+    else
+      row->add(row->normal_i, row->normal_j, stiffness * motion, f);
+  }
+};
+
+// The unknowns at the present states: what presses may pull, what sticks has no limit and what slips goes on its way.
+// From the states of the last step, where few change in a step, this is nearly the answer, as it is from those of the
+// sweeps.
 void OpenClose::predict(ContactProblem& problem, Vector& d, OpenCloseResult& result) {
   r_ = problem.system.force;
   const auto& rows = problem.contacts.rows();
@@ -61,6 +74,7 @@ void OpenClose::predict(ContactProblem& problem, Vector& d, OpenCloseResult& res
     rows[k].add(rows[k].shear_i, rows[k].shear_j, -(stuck_[k] ? rows[k].ks * rows[k].slide0 : shear_[k]), r_);
   }
   problem.solver.solve(r_, d);
+  follow_friction(problem, d);
   kd_.setZero(d.size());
   problem.system.matrix.multiply(d, kd_);
   arrive(problem, d, result);
@@ -84,38 +98,85 @@ void OpenClose::convex_step(ContactProblem& problem, Vector& d, OpenCloseResult&
   }
 }
 
-// One Newton step on the coupled law, whose limits follow the normal force: unsymmetric, so by GMRES with the
-// factor of the symmetric part. Kept only if the residual falls; frozen limits alone would converge linearly.
-bool OpenClose::coupled_step(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result) {
+// Where the present states differ from the factored ones, and friction at slipping contacts, which moves with the normal
+// force.
+std::vector<OpenClose::Change> OpenClose::coupled_changes(const ContactProblem& problem) const {
   const auto& rows = problem.contacts.rows();
-  std::vector<size_t> sticking, slipping;
-  for (size_t k = 0; k < rows.size(); ++k) {
-    if (std::abs(rows[k].ks * slide_[k]) < friction_limit(rows[k], -rows[k].kn * gap_[k]))
-      sticking.push_back(k);
-    else if (closed_[k] && rows[k].friction > 0)
-      slipping.push_back(k);
-  }
-  if (slipping.empty()) return false;
   const double f = problem.contacts.factor();
-  const auto apply = [&](const Vector& x, Vector& y) {
-    y.setZero(x.size());
-    problem.system.matrix.multiply(x, y);
-    for (size_t k = 0; k < rows.size(); ++k)
-      if (closed_[k])
-        rows[k].add(rows[k].normal_i, rows[k].normal_j,
-                    f * rows[k].kn * rows[k].along(rows[k].normal_i, rows[k].normal_j, x), y);
-    for (const size_t k : sticking)
-      rows[k].add(rows[k].shear_i, rows[k].shear_j,
-                  f * rows[k].ks * rows[k].along(rows[k].shear_i, rows[k].shear_j, x), y);
-    for (const size_t k : slipping) {
-      const double softer = f * rows[k].kn * rows[k].along(rows[k].normal_i, rows[k].normal_j, x);
-      rows[k].add(rows[k].shear_i, rows[k].shear_j, (slide_[k] > 0 ? -1 : 1) * rows[k].friction * softer, y);
-    }
+  std::vector<Change> changes;
+  for (size_t k = 0; k < rows.size(); ++k) {
+    const ContactRows& row = rows[k];
+    if (!row.near) continue;
+    const bool sticks = std::abs(row.ks * slide_[k]) < friction_limit(row, -row.kn * gap_[k]);
+    if (const int more = closed_[k] - factored_closed_[k]) changes.push_back({&row, false, false, more * f * row.kn});
+    if (const int more = sticks - factored_stuck_[k]) changes.push_back({&row, true, true, more * f * row.ks});
+    if (sticks || !closed_[k] || !(row.friction > 0)) continue;
+    changes.push_back({&row, true, false, (slide_[k] > 0 ? -1 : 1) * row.friction * f * row.kn});
+  }
+  return changes;
+}
+
+// (M + U Vᵀ) p = r with the factored M, by the motions y = Vᵀp of the contacts that differ from it alone:
+// (1 + VᵀM⁻¹U) y = VᵀM⁻¹r, unsymmetric, so by GMRES; then p = M⁻¹(r - U y).
+void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, Vector& p) {
+  if (changes.empty()) return problem.solver.solve(r, p);
+  const auto count = Eigen::Index(changes.size());
+  const auto motions = [&](const Vector& x, Vector& y) {
+    y.resize(count);
+    for (Eigen::Index k = 0; k < count; ++k) y[k] = changes[size_t(k)].motion(x);
   };
+  Vector force, x, right, y;
+  const auto apply = [&](const Vector& from, Vector& to) {
+    force.setZero(r.size());
+    for (Eigen::Index k = 0; k < count; ++k) changes[size_t(k)].add_force(from[k], force);
+    problem.solver.solve(force, x);
+    motions(x, to);
+    to += from;
+  };
+  problem.solver.solve(r, x);
+  motions(x, right);
+  gmres(apply, right, coarse, most_products, y);
+  force = r;
+  for (Eigen::Index k = 0; k < count; ++k) changes[size_t(k)].add_force(-y[k], force);
+  problem.solver.solve(force, p);
+}
+
+// From the solution with frozen friction at what slips to the one in which it follows the normal force.
+void OpenClose::follow_friction(ContactProblem& problem, Vector& d) {
+  const auto& rows = problem.contacts.rows();
+  const double f = problem.contacts.factor();
+  std::vector<Change> changes;
+  r_.setZero(d.size());
+  for (size_t k = 0; k < rows.size(); ++k) {
+    const ContactRows& row = rows[k];
+    if (!closed_[k] || stuck_[k] || !(row.friction > 0)) continue;
+    const double way = shear_[k] < 0 ? -1 : 1;
+    const double normal = -row.kn * (row.gap0 + f * row.along(row.normal_i, row.normal_j, d));
+    row.add(row.shear_i, row.shear_j, shear_[k] - way * (row.friction * normal + row.cohesion), r_);
+    changes.push_back({&row, true, false, -way * row.friction * f * row.kn});
+  }
+  if (changes.empty()) return;
+  solve_coupled(problem, changes, r_, p_);
+  d += p_;
+}
+
+// One whole Newton step on the coupled law, wherever it leads: from states that are nearly right.
+void OpenClose::full_step(ContactProblem& problem, Vector& d, OpenCloseResult& result) {
+  const std::vector<Change> changes = coupled_changes(problem);
   residual(problem, true, r_);
-  const double wanted = std::clamp(0.1 * tolerance / result.residual, coarse, 1e-2);
-  gmres(
-      apply, [&](const Vector& y, Vector& z) { problem.solver.solve(y, z); }, r_, wanted, most_products, p_);
+  solve_coupled(problem, changes, r_, p_);
+  multiply(problem);
+  advance(problem, 1, d, result);
+}
+
+// One Newton step on the coupled law, whose limits follow the normal force. Kept only if the residual falls; frozen
+// limits alone would converge linearly.
+bool OpenClose::coupled_step(ContactProblem& problem, Vector& d, OpenCloseResult& result) {
+  const std::vector<Change> changes = coupled_changes(problem);
+  if (std::none_of(changes.begin(), changes.end(), [](const Change& c) { return c.shear_force && !c.shear_motion; }))
+    return false;  // nothing slips
+  residual(problem, true, r_);
+  solve_coupled(problem, changes, r_, p_);
   multiply(problem);
   // Along p the residual falls at once, and in every norm, until a state changes: halve until it has fallen.
   const OpenCloseResult before = result;

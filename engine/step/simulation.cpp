@@ -17,13 +17,14 @@ namespace talus {
 
 void visit_state(RunTotals& totals, StateVisitor& v) {
   // parts: CPU time is the process's.
-  [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, sweeps, steps_at_rest, steps_by_sweeps,
+  [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, sweeps, splittings, steps_at_rest, steps_by_sweeps,
                           islands, failures, inaccurate, largest_iterations, largest_utilisation, largest_residual, parts] = totals;
   v("steps", steps);
   v("iterations", iterations);
   v("cuts", cuts);
   v("factorisations", factorisations);
   v("sweeps", sweeps);
+  v("splittings", splittings);
   v("steps_at_rest", steps_at_rest);
   v("steps_by_sweeps", steps_by_sweeps);
   for (long* count : {&islands.at_rest, &islands.single, &islands.by_sweeps, &islands.with_factor, &islands.asleep})
@@ -76,6 +77,17 @@ Simulation::Simulation(Scene scene) {
 Simulation::~Simulation() = default;
 
 StepReport Simulation::step() {
+  // A step of motion puts back itself what an attempt has changed. What looks for equilibrium does not.
+  const std::string before = plan.dynamic && begun_ ? std::string() : save();
+  try {
+    return take_step();
+  } catch (...) {
+    if (!before.empty()) restore(before);
+    throw;
+  }
+}
+
+StepReport Simulation::take_step() {
   begin();
   last = half_steps_ ? half_steps_->step()
          : plan.dynamic ? stepper_->dynamic_step()

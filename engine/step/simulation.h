@@ -44,7 +44,8 @@ struct IslandCounts {
 
 struct RunTotals {
   long steps = 0, iterations = 0, cuts = 0, factorisations = 0;
-  long sweeps = 0;          // over the contacts
+  long sweeps = 0;           // over the contacts
+  long splittings = 0;       // iterations, a solve each
   long steps_at_rest = 0;    // in which nothing moved: not solved
   long steps_by_sweeps = 0;  // solved without a factor
   IslandCounts islands;      // summed over steps
@@ -109,6 +110,7 @@ class Simulation {
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
   template <class Visitor>
   Visitor visited() const;  // by a visitor that only reads
+  StepReport take_step();
   void settle();  // equilibrium, with the initial velocities kept
 
   Fingerprint fingerprint_;

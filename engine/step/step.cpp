@@ -19,15 +19,7 @@ namespace talus {
 
 namespace {
 
-// Equilibrium with contacts is found by steps against a little inertia, which a loose block needs to stay
-// put: this part of (wave speed / size)², far below the slowest mode of what is held.
-constexpr double least_hold = 1e-4;
-constexpr int static_patience = 6;  // steps that bring equilibrium no nearer
-constexpr double most_hold = 1e6;  // where that does not help, nothing will
-constexpr int equilibrium_iterations = 200;
 constexpr int held_iterations = 15;  // open–close, before equilibrium is sought against more inertia, where states change less
-constexpr double release_hold = 100;  // so that states change a few at a time
-constexpr int release_iterations = 40;
 constexpr double most_solve_effort = 12;  // factors, among cracks: three times what keeps a step from growing
 
 // What an attempt at a step changes before it is known to succeed; put back unless keep() is called.
@@ -65,41 +57,6 @@ class Attempt {
   std::vector<std::pair<size_t, std::array<double, max_dofs>>> held_;
   bool kept_ = false;
 };
-
-// What softens faster than the blocks unload does not stand by itself: all is held harder, and let go slowly.
-struct Softening {
-  bool snaps = false;
-  double last = 1, best = 1;  // residuals
-  double most = 0;            // it was held with
-  int stalled = 0;
-
-  bool hold_harder(std::vector<double>& hold) {
-    const double now = *std::max_element(hold.begin(), hold.end());
-    if (now >= most_hold) return false;
-    for (double& own : hold) own *= 30;
-    most = std::max(most, 30 * now);
-    return snaps = true;
-  }
-  void watch(double residual, std::vector<double>& hold) {
-    stalled = residual > 0.9 * best ? stalled + 1 : 0;
-    best = std::min(best, residual);
-    if (stalled > static_patience) {
-      most = std::min(30 * std::max(*std::max_element(hold.begin(), hold.end()), most), most_hold);
-      std::fill(hold.begin(), hold.end(), most);
-      snaps = true;
-      stalled = 0;
-      best = 1;
-    }
-    last = residual;
-  }
-};
-
-// Whether all blocks hang together by bonds and nothing has cracked: then nothing touches.
-bool in_one_piece(const Model& model) {
-  const auto failed = [](const Joint& joint) { return joint.state == JointState::failed; };
-  return !model.fragment.empty() && *std::max_element(model.fragment.begin(), model.fragment.end()) == 0 &&
-         std::none_of(model.joints.begin(), model.joints.end(), failed);
-}
 
 }  // namespace
 
@@ -206,31 +163,11 @@ StepReport Stepper::dynamic_step(double most) {
   }
 }
 
-std::string Stepper::settle() {
-  Equilibrium stuck, released;
-  const auto settles = [&](bool stick, double hold, int iterations, Equilibrium& search) {
-    Restored attempt(model_);
-    const bool found = find_equilibrium(stick, hold, iterations, search);
-    if (found) attempt.keep();
-    return found;
-  };
-  if (!settles(true, 0, equilibrium_iterations, stuck)) {
-    if (stuck.last.singular_block >= 0) give_up(stuck.last, 0);
-    return "no settled start: even with joints that do not slide, " + block_name(model_, culprit(stuck)) +
-           " topples or falls; the run starts at rest as given";
-  }
-  // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
-  // starts from there, or the first steps would shake it.
-  if (plan_.contacts) settles(false, release_hold, release_iterations, released);
-  for (Contact& contact : model_.contacts) contact.slip = 0;
-  keep_viscous_tractions(model_);
-  return {};
-}
-
 void Stepper::visit_state(StateVisitor& visitor) {
   visitor("step_size", step_size_);
   visitor("contact_search", search_);
   visitor("sleep", sleep_);
+  visitor("short_increments", short_increments_);
   if (gas_) visitor("gas", *gas_);
 }
 
@@ -297,74 +234,6 @@ double Stepper::released_energy() const {
   return sum;
 }
 
-bool Stepper::balance(Equilibrium& search) { return find_equilibrium(false, 0, equilibrium_iterations, search); }
-
-bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search) {
-  auto& [report, result, d] = search;
-  const double least = plan_.contacts && !in_one_piece(model_) ? least_hold : 0, enough = model_.scene.numerics.static_tolerance;
-  Softening softening;
-  for (BlockState& state : model_.blocks) state.velocity.fill(0);
-  if (plan_.held_blocks) place_held_blocks(model_);
-  hold_.assign(model_.shapes.size(), std::max(hold, least));
-  for (int i = 0; i < iterations; ++i) {
-    const Scheme scheme = Scheme::equilibrium();
-    if (plan_.contacts) {
-      PartTimer timer(totals_, "contact search");
-      search_.update(model_, 0);
-    }
-    assemble(scheme, stick);
-    result = islands_.judge(model_, system_, contacts_, i > 0 ? enough : -1);
-    report.residual = result.residual;
-    if (i > 0 && result.residual <= enough) return true;
-    d.resize(0);
-    result = solve(0, d);
-    report.iterations += result.iterations;
-    if (result.singular_block >= 0 && bridges_.any() && softening.hold_harder(hold_)) continue;
-    if (!result.converged && (!plan_.contacts || result.singular_block >= 0)) return false;
-    std::vector<BlockState> moved = moved_blocks(model_, scheme, d);
-    const double displacement = hold_and_leave(stick, moved, [&](double held) {
-      return softening.snaps && report.residual > softening.last ? std::max(held, std::min(2 * held, softening.most))
-                                                                 : std::max(least, held / 4);
-    });
-    if (displacement < 0) continue;
-    if (bridges_.any()) softening.watch(report.residual, hold_);
-    report.displacement = std::max(report.displacement, displacement);
-    keep_rest(moved);
-    accept(std::move(moved), scheme, d);
-    if (softening.snaps)  // what has softened on the way does not come back, or it would go back and forth
-      for (Joint& joint : model_.joints) wear_bridges(model_, joint);
-  }
-  return false;
-}
-
-// Islands that were not solved, or went too far, stay where they are and are held harder next time, the others as `relaxed`
-// says. Returns the largest displacement of those, or -1 where there are none.
-double Stepper::hold_and_leave(bool stick, const std::vector<BlockState>& moved,
-                               const std::function<double(double)>& relaxed) {
-  const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
-  const Islands& islands = islands_.islands();
-  double largest = -1;
-  for (int island = 0; island < islands.count(); ++island) {
-    const int first = islands.first(island);
-    if (first < 0 || islands_.rest(first) != Rest::moves) continue;
-    double own = 0;
-    for (const int b : islands.blocks(island)) own = std::max(own, displacement(model_, b, moved[b]));
-    double harder = 0;
-    if (!islands_.converged(island))
-      harder = stick ? 100 : 30;
-    else if (plan_.contacts && own > too_far)
-      harder = std::max(4.0, own / too_far);
-    for (const int b : islands.blocks(island)) hold_[b] = harder > 0 ? hold_[b] * harder : relaxed(hold_[b]);
-    if (harder > 0) {
-      islands_.leave(island);
-      ++totals_.cuts;
-    } else {
-      largest = std::max(largest, own);
-    }
-  }
-  return largest;
-}
-
 void Stepper::prepare_bonds() {
   if (revision_ == model_.revision) return;
   revision_ = model_.revision;
@@ -404,6 +273,7 @@ IslandResult Stepper::solve(double dt, Vector& d) {
   PartTimer timer(totals_, "open-close and solve");
   const Numerics& numerics = model_.scene.numerics;
   const bool motion = dt > 0;
+  if (!motion && on_equilibrium_solve) on_equilibrium_solve();
   const OpenCloseSettings settings{numerics.contact_tolerance,
                                    motion ? numerics.max_iterations : std::min(numerics.max_iterations, held_iterations),
                                    motion, numerics.solver,
@@ -412,6 +282,7 @@ IslandResult Stepper::solve(double dt, Vector& d) {
   const IslandResult result = islands_.solve(model_, system_, contacts_, settings, dt, d);
   totals_.iterations += result.solves;
   totals_.sweeps += result.sweeps;
+  totals_.splittings += result.splittings;
   effort_ += result.total_effort;
   totals_.factorisations += result.factorisations;
   totals_.largest_iterations = std::max(totals_.largest_iterations, result.iterations);
@@ -515,13 +386,6 @@ Energies Stepper::energies() {
   return e;
 }
 
-void Stepper::give_up(const Equilibrium& search) const {
-  if (search.last.singular_block >= 0) give_up(search.last, 0);
-  throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: " +
-                 block_name(model_, culprit(search)) +
-                 " keeps moving. Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic");
-}
-
 void Stepper::give_up(const OpenCloseResult& result, double dt) const {
   char text[400];
   if (result.singular_block >= 0) {
@@ -546,22 +410,6 @@ void Stepper::give_up(const OpenCloseResult& result, double dt) const {
     if ((c.i == result.worst_block || c.j == result.worst_block) && message.size() < 900)
       message += "; it touches " + block_name(model_, c.i == result.worst_block ? c.j : c.i);
   throw RunError(message);
-}
-
-int Stepper::culprit(const Equilibrium& search) const {
-  if (!search.last.converged) return std::max(search.last.worst_block, 0);
-  int fastest = 0;
-  double most = -1;
-  for (size_t b = 0; b < model_.shapes.size(); ++b) {
-    const BlockShape& shape = model_.shapes[b];
-    if (shape.dofs == 0) continue;
-    const double moved = search.d.segment(shape.dof_begin, shape.dofs).norm();
-    if (moved > most) {
-      most = moved;
-      fastest = int(b);
-    }
-  }
-  return fastest;
 }
 
 }  // namespace talus

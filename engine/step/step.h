@@ -15,6 +15,7 @@
 #include "gas/gas.h"
 #include "model/state_visitor.h"
 #include "scene/plan.h"
+#include "step/alternation.h"
 #include "step/energies.h"
 #include "step/ledger.h"
 #include "step/island_solver.h"
@@ -53,6 +54,10 @@ class Stepper {
   // Called with what is about to be solved for contacts in a step of motion, at every attempt (tests/contact).
   std::function<void(const Scheme&, const System&, const ContactTerms&)> on_assembled;
 
+  // Called before each solve for equilibrium, of which a load step may take thousands; what it throws ends the step, and
+  // Simulation::step() puts everything back.
+  std::function<void()> on_equilibrium_solve;
+
   // Of a program of one's own, from before the first step on (docs/extending.md).
   std::vector<std::shared_ptr<const Term>> terms;
 
@@ -68,10 +73,14 @@ class Stepper {
     StepReport report;
     OpenCloseResult last;
     Vector d;  // m, last displacements
+    Alternation alternation;
+    int most_solves = std::numeric_limits<int>::max();
   };
   bool find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search);
   bool balance(Equilibrium& search);
+  double foreseen(double from, double to, double utilisation) const;
   StepReport raise_load(double to, bool first);
+  StepReport collapse(const Equilibrium& search);
   StepReport break_bonds(const std::vector<int>& due);
   [[noreturn]] void give_up(const Equilibrium& search) const;
   bool breaks(std::vector<BlockState>& moved, double dt, StepReport& report);
@@ -108,6 +117,7 @@ class Stepper {
   std::unique_ptr<Gas> gas_;            // where there are charges
   std::unique_ptr<Fracture> fracture_;  // where bonds can fail
   std::string collapse_;
+  int short_increments_ = 0;  // of load, one after the other
   long revision_ = -1;
   double effort_ = 0;  // of the solves of an attempt at a step, in factors
 };

@@ -152,6 +152,7 @@ local function bounds()
   row(("factor and solution, %d first-order blocks"):format(one.blocks), 1e3*one.solve, " ms", 15)
   row(("factor and solution, %d second-order blocks"):format(two.blocks), 1e3*two.solve, " ms", 60)
   row(("assembly, factor and solution, %d second-order blocks"):format(few.blocks), 1e3*(few.assembly + few.solve), " ms", 30)
+  row("start-up to the first line of Lua, CPU", 1e3*cases.start[1].cpu, " ms", 15)
 end
 
 local function walls()

@@ -1,4 +1,4 @@
-// Readers of files that others wrote. On their own, so that libFuzzer can be led through them (guided.cpp).
+// Readers of files that others wrote. On their own, so that libFuzzer can be led through them (guided.cc).
 #include <unistd.h>
 
 #include <filesystem>

@@ -11,15 +11,16 @@ namespace talus::test {
 
 using Dense = Eigen::MatrixXd;
 
-// K and f of a model without contacts, as a step assembles them.
+// K and f of a model without contacts, as a step assembles them; with room for those between `touching` blocks.
 struct Assembled {
   Poses poses;
   System system;
   JointTerms joints;
   Supports supports;
 
-  explicit Assembled(const Model& model, const Scheme& scheme = Scheme::equilibrium(), bool bonds = true) {
-    std::vector<std::pair<int, int>> pairs;
+  explicit Assembled(const Model& model, const Scheme& scheme = Scheme::equilibrium(), bool bonds = true,
+                     std::vector<std::pair<int, int>> touching = {}) {
+    std::vector<std::pair<int, int>> pairs = std::move(touching);
     std::vector<int> sizes;
     for (const Joint& joint : model.joints) pairs.push_back({joint.a, joint.b});
     for (const BlockShape& shape : model.shapes) sizes.push_back(shape.dofs);

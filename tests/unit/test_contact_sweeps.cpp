@@ -5,6 +5,7 @@
 #include "assembled.h"
 #include "contact/detection.h"
 #include "small_scene.h"
+#include "step/contact_splitting.h"
 #include "step/contact_sweeps.h"
 #include "step/islands.h"
 
@@ -35,13 +36,15 @@ struct Swept {
     regions.insert(regions.end(), meshed.begin(), meshed.end());
     Scene scene = test::scene_of(regions);
     scene.regions[0].held = true;
-    scene.properties[0].friction = friction;
     scene.gravity = gravity;
     scene.time.mode = Mode::dynamic;
     model = build(scene);
+    for (auto& property : model.scene.properties) property.friction = friction;
     ContactSearch search;
     search.update(model, dt);
-    assembled = std::make_unique<test::Assembled>(model, scheme);
+    std::vector<std::pair<int, int>> touching;
+    for (const Contact& contact : model.contacts) touching.emplace_back(contact.i, contact.j);
+    assembled = std::make_unique<test::Assembled>(model, scheme, true, touching);
     terms.linearise(model, assembled->poses, scheme, false, {});
     std::vector<int> place(model.shapes.size());
     Islands islands;
@@ -125,6 +128,33 @@ TEST(ContactSweeps, StickAndSlip) {
 TEST(ContactSweeps, AFreeBlockNeedsNone) {
   const Swept s({rectangle(0, 5, 1, 1)}, 0.5, {0, -10});
   EXPECT_LT(s.out_of_balance(), 1e-13);
+}
+
+// The same forces from none, one factor for all that states are roughly known with and one for each set of springs after.
+TEST(ContactSplitting, EndsInTheForcesOfTheSweeps) {
+  for (const double friction : {0.0, 0.2, 0.8}) {
+    SCOPED_TRACE(friction);
+    const Swept swept(heap, friction, {3, -9});
+    Swept split(heap, friction, {3, -9});
+    const double weight = 2 * 9 * 3.36;
+    split.normal.assign(split.normal.size(), 0);
+    split.shear = split.normal;
+    split.d.setZero();
+    std::vector<char> closed(split.normal.size(), 0), stuck = closed;
+    ContactSplitting splitting;
+    const ContactSplitting::Contacts contacts{split.normal, split.shear, closed, stuck};
+    EXPECT_TRUE(splitting.run(split.problem, true, 4, 100, contacts, split.d).settled);
+    const auto progress = splitting.run(split.problem, false, 1000, 300, contacts, split.d);
+    EXPECT_LT(progress.change, 1e-11 * weight) << friction;
+    EXPECT_EQ(split.problem.solver.factorisations, 2);
+    EXPECT_LT(split.out_of_balance(), 1e-9 * weight) << friction;
+    expect_law(split, 1e-8 * weight);
+    for (size_t k = 0; k < swept.normal.size(); ++k) {
+      EXPECT_NEAR(split.normal[k], swept.normal[k], 1e-7 * weight) << k;
+      EXPECT_NEAR(split.shear[k], swept.shear[k], 1e-7 * weight) << k;
+      EXPECT_EQ(closed[k] != 0, split.normal[k] > 0);
+    }
+  }
 }
 
 // A beam of more bonded blocks than a patch holds, dropped on the floor with a loose stone on it.

@@ -3,10 +3,12 @@
 
 #include <stdexcept>
 
+#include "fracture/reduction.h"
 #include "model/registry.h"
 #include "model/saved_state.h"
 #include "small_scene.h"
 #include "step/simulation.h"
+#include "step/step.h"
 
 namespace talus {
 namespace {
@@ -105,6 +107,49 @@ TEST(Step, AfterACutIsTheSmallerStepTakenAtOnce) {
   visit_state(cut.model, one);
   visit_state(direct.model, other);
   EXPECT_EQ(one.bytes, other.bytes);
+}
+
+// A square of softening bonds, torn in static steps.
+Scene torn() {
+  Scene scene = test::scene_of({test::patterned("plate", rectangle(0, 0, 1, 1), MeshKind::cross, 4, 4)});
+  JointProperty& joint = scene.properties[0];
+  joint.breaks = true;
+  joint.cohesion = 10;
+  joint.tension = 1;
+  joint.reduction = softening({false, 0.01, 0.01, {0.6, 0, 0}});
+  scene.fixities = {test::fix(0, test::on_line({0, 0}, {1, 0})), test::fix(0, test::on_line({0, 1}, {1, 1}))};
+  scene.fixities[1].motion = Fixity::displacement;
+  scene.fixities[1].value = {History(0.0), History({{0, 0}, {1, 0.02}})};
+  scene.time.steps = 4;
+  return scene;
+}
+
+// Wherever it is left in its search for equilibrium: everything is as before it, and taken again it ends in the same bits.
+TEST(Step, ASearchForEquilibriumThatIsInterruptedChangesNothing) {
+  constexpr int steps = 8;
+  Simulation undisturbed(torn()), interrupted(torn());
+  long solves = 0, interrupts = 0, failed = 0;
+  undisturbed.stepper().on_equilibrium_solve = [&] { ++solves; };
+  for (int i = 0; i < steps; ++i) {
+    const std::uint64_t before = interrupted.hash();
+    solves = 0;
+    undisturbed.step();
+    failed += undisturbed.last.failures;
+    for (long last = 1; last <= solves; last += 11) {
+      long left = last;
+      interrupted.stepper().on_equilibrium_solve = [&] {
+        if (--left == 0) throw std::runtime_error("interrupted");
+      };
+      EXPECT_THROW(interrupted.step(), std::runtime_error);
+      EXPECT_EQ(interrupted.hash(), before) << "step " << i << ", solve " << last;
+      ++interrupts;
+    }
+    interrupted.stepper().on_equilibrium_solve = nullptr;
+    interrupted.step();
+    ASSERT_EQ(interrupted.hash(), undisturbed.hash()) << "step " << i;
+  }
+  EXPECT_GT(failed, 0);
+  EXPECT_GT(interrupts, steps);
 }
 
 }  // namespace

@@ -192,6 +192,7 @@ async function start() {
   listen();
   showAll();
   await setField(Math.max(0, fields.findIndex(f => f.name === "s1")));
+  setFrame(meta.times.length - 1);  // what came of it; playing begins at the first
 }
 
 // For tests: when it is ready, and how long a frame takes to draw (ms).

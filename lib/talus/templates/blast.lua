@@ -1,6 +1,6 @@
 -- A hole behind the face of a bench is fired: the gas presses, enters cracks and throws the burden.
 -- Run: talus blast.lua                    results in out/blast: pictures, gas_pressure.svg, cracks.pvd for ParaView
---      talus blast.lua -p t_end=20        longer (minutes)
+--      talus blast.lua -p t_end=20        longer (4 s)
 --      talus blast.lua --checkpoint every=60s --resume    to go on where it was stopped
 --      talus check blast.lua              what it would take, without running it
 local talus = require "talus"

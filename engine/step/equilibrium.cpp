@@ -1,0 +1,187 @@
+// Equilibrium: of static scenes, of load steps, and the start of a settled run.
+#include <algorithm>
+#include <array>
+
+#include "equations/viscous_terms.h"
+#include "step/part_timer.h"
+#include "step/restored.h"
+#include "step/step.h"
+#include "step/update.h"
+
+namespace talus {
+
+namespace {
+
+// Equilibrium with contacts is found by steps against a little inertia, which a loose block needs to stay
+// put: this part of (wave speed / size)², far below the slowest mode of what is held.
+constexpr double least_hold = 1e-4;
+constexpr int static_patience = 4;  // steps that bring equilibrium no nearer, of bonds that soften
+constexpr int steps_a_level = 3;  // with one share of the slopes, before a larger one is tried
+constexpr int equilibrium_iterations = 200;
+constexpr double release_hold = 100;  // so that states change a few at a time
+constexpr int release_iterations = 40;
+
+// How the falling branches of bonds that soften are taken. With their whole slope, Newton's step, as long as the matrix is
+// positive definite; else, near the load that they bear and where they give way under it, with a share of it. Without
+// any, tractions stay in a step as they are at its start: what opens sheds in the next what it has lost in this one, so
+// that each step lowers the energy, however far the blocks are from being able to follow.
+struct Softening {
+  static constexpr std::array shares = {1.0, 0.95, 0.8, 0.0};
+  static constexpr int least_level = int(shares.size()) - 1;
+  int level = 0, taken = 0;  // steps at this level
+  int stalled = 0;
+  double best = 1;     // residual
+  bool wears = false;  // at once, so that nothing goes back and forth
+
+  double share() const { return shares[size_t(level)]; }
+  bool less() {
+    if (level == least_level) return false;
+    ++level;
+    taken = 0;
+    return true;
+  }
+  // After a step, which began at this residual.
+  void watch(double residual) {
+    stalled = residual > 0.9 * best ? stalled + 1 : 0;
+    best = std::min(best, residual);
+    if (level > 0) {
+      if (++taken < steps_a_level) return;
+      --level;
+      taken = stalled = 0;
+      best = residual;
+    } else if (stalled > static_patience) {
+      level = least_level;
+      taken = -static_patience;
+      wears = true;
+    }
+  }
+};
+
+// Whether all blocks hang together by bonds and nothing has cracked: then nothing touches.
+bool in_one_piece(const Model& model) {
+  const auto failed = [](const Joint& joint) { return joint.state == JointState::failed; };
+  return !model.fragment.empty() && *std::max_element(model.fragment.begin(), model.fragment.end()) == 0 &&
+         std::none_of(model.joints.begin(), model.joints.end(), failed);
+}
+
+}  // namespace
+
+std::string Stepper::settle() {
+  Equilibrium stuck, released;
+  const auto settles = [&](bool stick, double hold, int iterations, Equilibrium& search) {
+    Restored attempt(model_);
+    const bool found = find_equilibrium(stick, hold, iterations, search);
+    if (found) attempt.keep();
+    return found;
+  };
+  if (!settles(true, 0, equilibrium_iterations, stuck)) {
+    if (stuck.last.singular_block >= 0) give_up(stuck.last, 0);
+    return "no settled start: even with joints that do not slide, " + block_name(model_, culprit(stuck)) +
+           " topples or falls; the run starts at rest as given";
+  }
+  // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
+  // starts from there, or the first steps would shake it.
+  if (plan_.contacts) settles(false, release_hold, release_iterations, released);
+  for (Contact& contact : model_.contacts) contact.slip = 0;
+  keep_viscous_tractions(model_);
+  return {};
+}
+
+bool Stepper::balance(Equilibrium& search) { return find_equilibrium(false, 0, equilibrium_iterations, search); }
+
+bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search) {
+  StepReport& report = search.report;
+  OpenCloseResult& result = search.last;
+  Vector& d = search.d;
+  const double least = plan_.contacts && !in_one_piece(model_) ? least_hold : 0, enough = model_.scene.numerics.static_tolerance;
+  Softening softening;
+  const BridgeSearch bridged(bridges_);
+  for (BlockState& state : model_.blocks) state.velocity.fill(0);
+  if (plan_.held_blocks) place_held_blocks(model_);
+  hold_.assign(model_.shapes.size(), std::max(hold, least));
+  for (int i = 0; i < iterations && report.iterations < search.most_solves; ++i) {
+    const Scheme scheme = Scheme::equilibrium();
+    if (plan_.contacts) {
+      PartTimer timer(totals_, "contact search");
+      search_.update(model_, 0);
+    }
+    bridges_.take(softening.share());
+    assemble(scheme, stick);
+    result = islands_.judge(model_, system_, contacts_, i > 0 ? enough : -1);
+    report.residual = result.residual;
+    if (i > 0 && result.residual <= enough) return true;
+    d.resize(0);
+    result = solve(0, d);
+    report.iterations += result.iterations;
+    if (result.singular_block >= 0 && bridges_.any() && softening.less()) continue;
+    if (!result.converged && (!plan_.contacts || result.singular_block >= 0)) return false;
+    std::vector<BlockState> moved = moved_blocks(model_, scheme, d);
+    const double displacement = hold_and_leave(stick, moved, [&](double held) { return std::max(least, held / 4); });
+    if (displacement < 0) continue;
+    if (bridges_.any()) softening.watch(report.residual);
+    report.displacement = std::max(report.displacement, displacement);
+    keep_rest(moved);
+    accept(std::move(moved), scheme, d);
+    search.alternation.note(model_);
+    bridges_.watch(model_);
+    if (softening.wears)
+      for (Joint& joint : model_.joints) wear_bridges(model_, joint);
+  }
+  return false;
+}
+
+// Islands that were not solved, or went too far, stay where they are and are held harder next time, the others as `relaxed`
+// says. Returns the largest displacement of those, or -1 where there are none.
+double Stepper::hold_and_leave(bool stick, const std::vector<BlockState>& moved,
+                               const std::function<double(double)>& relaxed) {
+  const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
+  const Islands& islands = islands_.islands();
+  double largest = -1;
+  for (int island = 0; island < islands.count(); ++island) {
+    const int first = islands.first(island);
+    if (first < 0 || islands_.rest(first) != Rest::moves) continue;
+    double own = 0;
+    for (const int b : islands.blocks(island)) own = std::max(own, displacement(model_, b, moved[b]));
+    double harder = 0;
+    if (!islands_.converged(island))
+      harder = stick ? 100 : 30;
+    else if (plan_.contacts && own > too_far)
+      harder = std::max(4.0, own / too_far);
+    for (const int b : islands.blocks(island)) hold_[b] = harder > 0 ? hold_[b] * harder : relaxed(hold_[b]);
+    if (harder > 0) {
+      islands_.leave(island);
+      ++totals_.cuts;
+    } else {
+      largest = std::max(largest, own);
+    }
+  }
+  return largest;
+}
+
+void Stepper::give_up(const Equilibrium& search) const {
+  if (search.last.singular_block >= 0) give_up(search.last, 0);
+  const std::string alternating = search.alternation.text(model_);
+  throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: " +
+                 block_name(model_, culprit(search)) + " keeps moving. " +
+                 (!alternating.empty()
+                      ? "In " + std::to_string(search.report.iterations) + " solves " + alternating
+                      : "Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic"));
+}
+
+int Stepper::culprit(const Equilibrium& search) const {
+  if (!search.last.converged) return std::max(search.last.worst_block, 0);
+  int fastest = 0;
+  double most = -1;
+  for (size_t b = 0; b < model_.shapes.size(); ++b) {
+    const BlockShape& shape = model_.shapes[b];
+    if (shape.dofs == 0) continue;
+    const double moved = search.d.segment(shape.dof_begin, shape.dofs).norm();
+    if (moved > most) {
+      most = moved;
+      fastest = int(b);
+    }
+  }
+  return fastest;
+}
+
+}  // namespace talus
