@@ -56,7 +56,8 @@ struct Study {
   std::vector<StudyColumn> columns;
   double time_limit = 0;  // s of wall time a run; 0: none
   SlurmResources slurm;
-  std::function<Collected(std::size_t run, const std::string& folder)> collect;
+  // Left in the middle, with a problem, once `stop_asked` has answered yes for a second.
+  std::function<Collected(std::size_t run, const std::string& folder, bool (*stop_asked)())> collect;
 
   std::string folder(std::size_t run) const { return dir + "/runs/" + runs[run].name; }
 };

@@ -1,6 +1,5 @@
 #include "script/study_reader.h"
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -40,20 +39,14 @@ Cell cell_at(lua_State* L, int index) {
   return {text ? text : ""};
 }
 
-// A sweep takes its signals when it asks for them (HeldSignals): one that waits longer than this stops a function that
-// does not come to its end. It goes on waiting, for the sweep.
+// A sweep takes its signals when it asks for them: one that has come, or waits to be taken, stops a function that does not
+// come to its end.
 constexpr double collect_patience = 1;  // s
-double collecting_since = 0;    // s of the clock
-
-bool stop_waits() {
-  sigset_t waiting;
-  sigemptyset(&waiting);
-  sigpending(&waiting);
-  return sigismember(&waiting, SIGINT) == 1 || sigismember(&waiting, SIGTERM) == 1;
-}
+double collecting_since = 0;            // s of the clock
+bool (*stop_asked)() = nullptr;         // of the sweep
 
 void leave_if_stopped(lua_State* L, lua_Debug*) {
-  if (!stop_waits() || wall_seconds() - collecting_since < collect_patience) return;
+  if (wall_seconds() - collecting_since < collect_patience || !stop_asked()) return;
   lua_sethook(L, leave_if_stopped, LUA_MASKCOUNT, 1);  // no pcall keeps it
   raise_error(L, ErrorKind::interrupt, "its collecting was stopped by a signal");
 }
@@ -61,8 +54,9 @@ void leave_if_stopped(lua_State* L, lua_Debug*) {
 // Looks for such a signal every so many instructions. Hooks of a signal that came unheld (Interrupts) are left alone.
 class StopWatched {
  public:
-  explicit StopWatched(lua_State* L) : L_(L) {
+  StopWatched(lua_State* L, bool (*asked)()) : L_(L) {
     collecting_since = wall_seconds();
+    stop_asked = asked;
     if (!lua_gethook(L)) lua_sethook(L, leave_if_stopped, LUA_MASKCOUNT, 10000);
   }
   ~StopWatched() {
@@ -77,7 +71,7 @@ class StopWatched {
 
 // collect(run, read) -> values, units, problem
 Collected collect(lua_State* L, const LuaFunction& function, std::size_t columns, std::size_t run,
-                  const std::string& folder) {
+                  const std::string& folder, bool (*asked)()) {
   const int top = lua_gettop(L);
   luaL_checkstack(L, 8, "collecting");
   function.push();
@@ -86,11 +80,11 @@ Collected collect(lua_State* L, const LuaFunction& function, std::size_t columns
   lua_pushcclosure(L, guarded<read_result>, 1);
   Collected collected;
   try {
-    const StopWatched watched(L);
+    const StopWatched watched(L, asked);
     protected_call(L, 2, 3);
   } catch (const ScriptError& error) {
     lua_settop(L, top);
-    if (error.kind != ErrorKind::interrupt || !stop_waits()) throw;
+    if (error.kind != ErrorKind::interrupt || !stop_asked()) throw;
     collected.problem = error.what();
     return collected;
   }
@@ -164,8 +158,8 @@ Study read_study(lua_State* L, const std::string& script, const std::string& lib
   table.push("collect");
   const auto function = std::make_shared<LuaFunction>(L, -1);
   lua_pop(L, 1);
-  study.collect = [L, function, columns = study.columns.size()](std::size_t run, const std::string& folder) {
-    return collect(L, *function, columns, run, folder);
+  study.collect = [L, function, columns = study.columns.size()](std::size_t run, const std::string& folder, bool (*asked)()) {
+    return collect(L, *function, columns, run, folder, asked);
   };
   return study;
 }

@@ -20,6 +20,8 @@ namespace talus {
 namespace {
 
 constexpr int not_started = 127;
+constexpr int stops[] = {SIGINT, SIGTERM, SIGHUP};
+bool stop_taken = false;
 
 [[noreturn]] void fail(const std::string& what) {
   throw RunError(what + ": " + std::strerror(errno));
@@ -41,7 +43,7 @@ void unblock_all() {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_DFL);
+  for (const int number : stops) std::signal(number, SIG_DFL);
 }
 
 // This process's environment with some variables set.
@@ -165,8 +167,16 @@ int HeldSignals::wait(double seconds) const {
   timespec time{};
   time.tv_sec = static_cast<time_t>(seconds);
   time.tv_nsec = static_cast<long>(1e9 * (seconds - std::floor(seconds)));
-  const int number = sigtimedwait(&set_, nullptr, &time);
-  return number > 0 ? number : 0;
+  const int number = std::max(0, sigtimedwait(&set_, nullptr, &time));
+  if (number != 0 && number != SIGCHLD) stop_taken = true;
+  return number;
+}
+
+bool HeldSignals::stop_asked() {
+  sigset_t waiting;
+  sigemptyset(&waiting);
+  sigpending(&waiting);
+  return stop_taken || std::ranges::any_of(stops, [&](int number) { return sigismember(&waiting, number) == 1; });
 }
 
 }  // namespace talus

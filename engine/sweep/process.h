@@ -51,6 +51,7 @@ class HeldSignals {
   HeldSignals(const HeldSignals&) = delete;
   HeldSignals& operator=(const HeldSignals&) = delete;
   int wait(double seconds) const;  // SIGINT, SIGTERM, SIGHUP or SIGCHLD; 0: none came
+  static bool stop_asked();        // one of the first three was taken, here or by one before, or waits to be
 
  private:
   sigset_t set_, before_;

@@ -69,7 +69,7 @@ class Sweep {
 void Sweep::take(std::size_t run, const Outcome& outcome) {
   rows_[run].outcome = outcome;
   rows_[run].collected =
-      outcome.has_results() && study_.collect ? study_.collect(run, study_.folder(run)) : Collected{};
+      outcome.has_results() && study_.collect ? study_.collect(run, study_.folder(run), HeldSignals::stop_asked) : Collected{};
 }
 
 void Sweep::look_at_what_is_there() {
