@@ -50,6 +50,7 @@ int new_command(const Arguments& arguments) {
     else
       throw UsageError{"new: expected slope, blast, disc or wall, got \"" + argument + '"'};
   }
+  if (kind.empty() && name.empty()) throw UsageError{"new: expected a name for the scene, and what it is to be: slope, blast, disc or wall"};
   if (kind.empty()) kind = "slope";
   if (name.empty()) name = kind;
   if (!name.ends_with(".lua")) name += ".lua";

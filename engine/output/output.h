@@ -56,8 +56,6 @@ class Progress {
  private:
   bool terminal_;
   double started_, last_ = 0;
-  static double latest_;  // s, CPU time of the process at the last step of any simulation
-  double began_, stepped_;  // the same when this one began, and at its own last step
 };
 
 // Writes `content` to `path` under a temporary name, then renames. Throws RunError naming path and reason.

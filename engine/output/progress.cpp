@@ -6,7 +6,6 @@
 #include "output/clock.h"
 #include "output/output.h"
 #include "output/text.h"
-#include "step/part_timer.h"
 
 namespace talus {
 
@@ -50,12 +49,9 @@ std::string done_line(long steps, long blocks, double cpu, const std::string& fo
          " s CPU" + (folder.empty() ? "" : "; results in " + folder);
 }
 
-double Progress::latest_ = 0;
-
-Progress::Progress(bool terminal) : terminal_(terminal), started_(wall_seconds()), began_(latest_), stepped_(began_) {}
+Progress::Progress(bool terminal) : terminal_(terminal), started_(wall_seconds()) {}
 
 void Progress::after_step(const Simulation& simulation) {
-  stepped_ = latest_ = cpu_seconds();
   const double running = wall_seconds() - started_;
   // The first line comes when the run has proved not to be a short one.
   const double due = last_ > 0   ? last_ + (terminal_ ? terminal_every : plain_every)
@@ -69,8 +65,9 @@ void Progress::after_step(const Simulation& simulation) {
 
 void Progress::done(const Simulation& simulation) {
   if (terminal_ && last_ > 0) std::cerr << clear_line;
-  std::cerr << done_line(simulation.totals.steps, static_cast<long>(simulation.model.shapes.size()), stepped_ - began_,
-                         simulation.model.scene.output.dir)
+  double cpu = 0;  // of this simulation: its script may have others
+  for (const RunTotals::Part& part : simulation.totals.parts) cpu += part.seconds;
+  std::cerr << done_line(simulation.totals.steps, static_cast<long>(simulation.model.shapes.size()), cpu, simulation.model.scene.output.dir)
             << std::endl;
 }
 

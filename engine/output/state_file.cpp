@@ -13,12 +13,16 @@ namespace talus {
 namespace {
 
 constexpr std::string_view magic = "talus saved state\n";
-constexpr std::uint64_t format = 2;  // 2: the generator of random numbers too
+constexpr std::uint64_t format = 3;  // 2: the generator of random numbers too; 3: checksum by eights
 
+// FNV-1a by eight bytes at a time, an eighth of the time: each step is a bijection, so that no single change goes unseen.
 std::uint64_t checksum(std::string_view bytes) {
-  Fnv hash;
-  hash.add(bytes);
-  return hash.value();
+  std::uint64_t sum = 14695981039346656037u;
+  ByteReader eights(bytes.substr(0, bytes.size() / 8 * 8));
+  while (!eights.done()) sum = (sum ^ eights.whole()) * 1099511628211u;
+  Fnv rest;
+  rest.add(bytes.substr(bytes.size() / 8 * 8));
+  return sum ^ rest.value();
 }
 
 std::string content(const std::string& path) {
@@ -38,6 +42,7 @@ std::string own_version() {
 
 void write_state(const std::string& path, const SavedRun& saved) {
   std::string body;
+  body.reserve(saved.engine.size() + saved.output.size() + saved.script.size() + 1024);
   append(body, std::string_view(saved.talus));
   append(body, saved.layout);
   append(body, std::uint64_t(saved.simulation));
@@ -49,7 +54,9 @@ void write_state(const std::string& path, const SavedRun& saved) {
   append(body, saved.scene.values);
   for (const std::string* part : {&saved.engine, &saved.output, &saved.script})
     append(body, std::string_view(*part));
-  std::string bytes(magic);
+  std::string bytes;
+  bytes.reserve(body.size() + 64);
+  bytes += magic;
   append(bytes, format);
   append(bytes, std::string_view(body));
   append(bytes, checksum(bytes));

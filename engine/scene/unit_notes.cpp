@@ -33,6 +33,7 @@ void doubt_units(const Scene& scene, std::vector<std::string>& notes) {
     for (const auto& [name, value] : {std::pair{"tension", joint.tension}, {"cohesion", joint.cohesion}})
       if (value > 0 && value < least_strength) doubt("joint \"" + joint.name + "\": " + name, value, "what carries a centimetre of soil", "MPa", notes);
   for (const Charge& charge : scene.charges) {
+    if (!charge.law.work) continue;  // a law in Lua is called once more for nothing else
     const double pressure = charge.law.pressure(1, {.volume = 1, .first_volume = 1});
     if (pressure > 0 && pressure < least_pressure) doubt("charge \"" + charge.name + "\": its first pressure", pressure, "the atmosphere's", "MPa", notes);
   }

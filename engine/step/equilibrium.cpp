@@ -116,7 +116,7 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
     if (result.singular_block >= 0 && bridges_.any() && softening.less()) continue;
     if (!result.converged && (!plan_.contacts || result.singular_block >= 0)) return false;
     std::vector<BlockState> moved = moved_blocks(model_, scheme, d);
-    const double displacement = hold_and_leave(stick, moved, [&](double held) { return std::max(least, held / 4); });
+    const double displacement = hold_and_leave(stick, moved, least);
     if (displacement < 0) continue;
     if (bridges_.any()) softening.watch(report.residual);
     report.displacement = std::max(report.displacement, displacement);
@@ -130,10 +130,9 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
   return false;
 }
 
-// Islands that were not solved, or went too far, stay where they are and are held harder next time, the others as `relaxed`
-// says. Returns the largest displacement of those, or -1 where there are none.
-double Stepper::hold_and_leave(bool stick, const std::vector<BlockState>& moved,
-                               const std::function<double(double)>& relaxed) {
+// Islands that were not solved, or went too far, stay where they are and are held harder next time, the others less, down to
+// `least`. Returns the largest displacement of those, or -1 where there are none.
+double Stepper::hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least) {
   const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
   const Islands& islands = islands_.islands();
   double largest = -1;
@@ -147,7 +146,7 @@ double Stepper::hold_and_leave(bool stick, const std::vector<BlockState>& moved,
       harder = stick ? 100 : 30;
     else if (plan_.contacts && own > too_far)
       harder = std::max(4.0, own / too_far);
-    for (const int b : islands.blocks(island)) hold_[b] = harder > 0 ? hold_[b] * harder : relaxed(hold_[b]);
+    for (const int b : islands.blocks(island)) hold_[b] = harder > 0 ? hold_[b] * harder : std::max(least, hold_[b] / 4);
     if (harder > 0) {
       islands_.leave(island);
       ++totals_.cuts;

@@ -87,7 +87,7 @@ class Stepper {
   double released_energy() const;
   double elastic_energy(double ahead) const;
   void store_tractions();
-  double hold_and_leave(bool stick, const std::vector<BlockState>& moved, const std::function<double(double)>& relaxed);
+  double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
   IslandResult solve(double dt, Vector& d);  // dt = 0: equilibrium
   void widen();
   void assemble(const Scheme& scheme, bool stick);
