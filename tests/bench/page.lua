@@ -153,14 +153,12 @@ local function bounds()
   row(("factor and solution, %d second-order blocks"):format(two.blocks), 1e3*two.solve, " ms", 60)
   row(("assembly, factor and solution, %d second-order blocks"):format(few.blocks), 1e3*(few.assembly + few.solve), " ms", 30)
   row("start-up to the first line of Lua, CPU", 1e3*cases.start[1].cpu, " ms", 15)
-  local saved, sweep = cases.checkpoint[1], cases.sweep[1]
+  local saved, one, two = cases.checkpoint[1], cases.sweep[1], cases.sweep[2]
   row(("checkpoint of %d bricks in contact, CPU"):format(saved.blocks), saved.cpu, " ms", 50)
   row("its file", saved.size, " MB", 20)
-  local function wall_and_cpu(text) local wall, user, system = text:match "(%S+) (%S+) (%S+)" return tonumber(wall), user + system end
-  local _, alone = wall_and_cpu(sweep.by_hand)
-  local one, together = wall_and_cpu(sweep.one)
-  row("eight runs in a sweep, CPU beyond that of the runs by themselves", 100*(together/alone - 1), " %", 3)
-  row("eight runs, two at a time on two cores over one at a time, time", one/wall_and_cpu(sweep.two), "", 1.8, true)
+  row("eight runs in a sweep, time beyond that of the runs themselves", 100*(one.wall/one.runs - 1), " %", 3)
+  row("the same, CPU", 100*(one.cpu/one.own - 1), " %", 3)
+  row("eight runs two at a time on two cores over one at a time, time", one.wall/two.wall, "", 1.8, true)
 end
 
 local function walls()
