@@ -28,6 +28,12 @@ void visit_state(Chamber& chamber, StateVisitor& v) {
     v("chamber", *number);
 }
 
+void visit_state(StemmingMotion& motion, StateVisitor& v) {
+  auto& [way, speed] = motion;
+  v("way", way);
+  v("speed", speed);
+}
+
 Gas::Gas(Model& model)
     : model_(model),
       paths_(model),
@@ -38,6 +44,9 @@ Gas::Gas(Model& model)
     chamber.walls = {int(w)};
     chambers_.push_back(chamber);
   }
+  const auto& charges = model.scene.charges;
+  if (std::any_of(charges.begin(), charges.end(), [](const Charge& charge) { return charge.stemming.has_value(); }))
+    stemming_.resize(charges.size());
   reach_.resize(chambers_.size());
   guess_.resize(chambers_.size());
   model.gas_pressure.assign(chambers_.size(), 0.0);
@@ -205,6 +214,7 @@ void Gas::end_step(double dt) {
       chamber.pressure = 0;
       continue;
     }
+    if (!stemming_.empty()) push_stemming(chamber, dt);
     chamber.work += guess.pressure * guess.swept;
     chamber.joined += guess.volume - chamber.volume - guess.swept;
     chamber.volume = guess.volume;
@@ -234,6 +244,7 @@ void Gas::visit_state(StateVisitor& visitor) {
   visitor("chambers", chambers_);
   visitor("first_volume", first_volume_);
   visitor("left", left_);
+  visitor("stemming", stemming_);
 }
 
 // What the gas has reached follows from the cracks, but for those it came through and that have closed behind it.

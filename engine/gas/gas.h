@@ -36,7 +36,14 @@ struct GasEvent {
   GasEventKind kind;
   int chamber = 0, other = -1;
   double time = 0, volume = 0, pressure = 0;  // s, m3, Pa just before
+  bool collar = false;                        // it vents because its stemming is out
 };
+
+// Of a charge: how far its stemming has moved (m) and how fast it is (m/s).
+struct StemmingMotion {
+  double way = 0, speed = 0;
+};
+void visit_state(StemmingMotion& motion, StateVisitor& visitor);
 
 class Gas {
  public:
@@ -59,6 +66,7 @@ class Gas {
   const std::vector<GasEvent>& events() const { return events_; }  // of the last step
   double first_volume(int charge) const { return first_volume_[charge]; }
   double left(int charge) const { return left_[charge]; }
+  double stemming_way(int charge) const { return stemming_.empty() ? 0 : stemming_[charge].way; }
   int chamber_of(int wall) const;  // that holds the gas of this hole now
   void visit_state(StateVisitor& visitor);
   void restored();
@@ -74,6 +82,10 @@ class Gas {
   bool meet(int a, int b) const;
   void merge();
   void take_over(int chamber, int other);
+  void push_stemming(const Chamber& chamber, double dt);
+  bool stemming_out(int charge) const;
+  bool stemming_out(const Chamber& chamber) const;
+  double opening_of(int chamber) const;
   void vent();
   double vent_part(const Chamber& chamber, double time) const;
   void leak(int chamber, double dt);
@@ -83,6 +95,7 @@ class Gas {
   std::vector<Chamber> chambers_;
   std::vector<double> first_volume_;  // m3, of each charge's hole when it went off
   std::vector<double> left_;          // part of each charge's gas that has not left through an orifice
+  std::vector<StemmingMotion> stemming_;  // of each charge; empty where no charge has one
   std::vector<Reach> reach_;
   struct Guess {
     double free = 0;            // m3, where the blocks fly by themselves

@@ -71,16 +71,47 @@ void Gas::take_over(int c, int other) {
   spread(c);
 }
 
+// A column of length L and density ρ that only its inertia holds: x'' = P/(ρL), until x = L. P is that of the step.
+void Gas::push_stemming(const Chamber& chamber, double dt) {
+  const double pressure = guess_[&chamber - chambers_.data()].pressure;
+  for (const int charge : chamber.charges) {
+    const auto& stemming = model_.scene.charges[charge].stemming;
+    if (!stemming || stemming_out(charge)) continue;
+    StemmingMotion& motion = stemming_[charge];
+    const double faster = dt * pressure / (stemming->density * stemming->length);
+    motion.way += dt * (motion.speed + faster / 2);
+    motion.speed += faster;
+  }
+}
+
+bool Gas::stemming_out(int charge) const {
+  const auto& stemming = model_.scene.charges[charge].stemming;
+  return stemming && stemming_[charge].way >= stemming->length;
+}
+
+bool Gas::stemming_out(const Chamber& chamber) const {
+  return std::any_of(chamber.charges.begin(), chamber.charges.end(), [&](int charge) { return stemming_out(charge); });
+}
+
+// m: of the cracks, and of the collars, whose area serves the length of the charge.
+double Gas::opening_of(int c) const {
+  const Orifice& orifice = *model_.scene.charges[chambers_[c].charges[0]].orifice;
+  double sum = opening(orifice, model_, reach_[c]);
+  if (orifice.opening) return sum;
+  for (const int charge : chambers_[c].charges)
+    if (stemming_out(charge)) sum += first_volume_[charge] / model_.scene.charges[charge].stemming->charge_length;
+  return sum;
+}
+
 void Gas::vent() {
   for (size_t c = 0; c < chambers_.size(); ++c) {
     Chamber& chamber = chambers_[c];
-    if (chamber.state != Chamber::State::pressing || !reach_[c].surface) continue;
+    if (chamber.state != Chamber::State::pressing || !(reach_[c].surface || stemming_out(chamber))) continue;
     chamber.state = Chamber::State::vented;
     chamber.vented_at = model_.time;
-    events_.push_back({GasEventKind::venting, int(c), -1, model_.time, chamber.volume, chamber.pressure});
+    events_.push_back({GasEventKind::venting, int(c), -1, model_.time, chamber.volume, chamber.pressure, !reach_[c].surface});
     chamber.pressure *= vent_part(chamber, model_.time);
-    if (const auto& orifice = model_.scene.charges[chamber.charges[0]].orifice)
-      chamber.opening = opening(*orifice, model_, reach_[c]);
+    if (model_.scene.charges[chamber.charges[0]].orifice) chamber.opening = opening_of(int(c));
   }
 }
 
@@ -96,7 +127,7 @@ void Gas::leak(int c, double dt) {
     mass += left_[charge] * first_volume_[charge] *
             (charges[charge].orifice ? charges[charge].orifice : orifice)->density;
   const double before = chamber.opening;
-  chamber.opening = opening(*orifice, model_, reach_[c]);
+  chamber.opening = opening_of(c);
   const double part = blow_down(
       *orifice, (before + chamber.opening) / 2, mass, chamber.volume,
       [&](double x) { return law_pressure(chamber, chamber.volume / x, model_.time); }, dt);

@@ -192,6 +192,13 @@ struct Orifice {
   std::optional<double> opening;  // m (m2 per metre); none: the apertures of the joints that end there
 };
 
+// What closes the collar of a hole until the gas has thrown it out (gas/gas_ways.cpp).
+struct Stemming {
+  double length = 0;         // m
+  double density = 0;        // kg/m3
+  double charge_length = 0;  // m, of the loaded part of the hole; 0: not given
+};
+
 // An explosive in a hole of a region.
 struct Charge {
   Place place;
@@ -204,6 +211,7 @@ struct Charge {
   // Part of the pressure left after the gas has reached a free surface. Neither: none, at once.
   std::function<double(const GasMoment&)> venting;
   std::optional<Orifice> orifice;
+  std::optional<Stemming> stemming;  // none: the collar stays closed
 };
 
 struct Probe {

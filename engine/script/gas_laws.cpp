@@ -112,6 +112,12 @@ Charge read_charge(const TableReader& t) {
   if (const auto part = law("venting", "charge.venting", "t", 1, "a part from 0 to 1"))
     c.venting = [part](const GasMoment& m) { return part({m.t}, m); };
   t.with("orifice", [&](const TableReader& o) { c.orifice = read_orifice(o); });
+  t.with("stemming", [&](const TableReader& s) {
+    c.stemming.emplace();
+    s.read("length", c.stemming->length);
+    s.read("density", c.stemming->density);
+    s.read("charge_length", c.stemming->charge_length);
+  });
   return c;
 }
 

@@ -36,9 +36,10 @@ int push_gas_events(lua_State* L, const Simulation& simulation) {
   lua_createtable(L, int(events.size()), 0);
   for (size_t k = 0; k < events.size(); ++k) {
     const GasEvent& e = events[k];
-    lua_createtable(L, 0, 6);
+    lua_createtable(L, 0, 7);
     set_text(L, "kind", e.kind == GasEventKind::detonation ? "detonation" : e.kind == GasEventKind::venting ? "venting" : "merging");
     set_text(L, "charge", charge_of(simulation, e.chamber));
+    if (e.kind == GasEventKind::venting) set_text(L, "by", e.collar ? "stemming" : "surface");
     if (e.other >= 0) set_text(L, "other", charge_of(simulation, e.other));
     set_number(L, "time", e.time);
     set_number(L, "volume", e.volume);
@@ -65,6 +66,7 @@ void push_charges(lua_State* L, const Simulation& simulation) {
     if (own.mass > 0) set_number(L, "mass", own.mass);
     set_number(L, "left", gas->left(charge));
     set_number(L, "opening", chamber.opening);
+    if (own.stemming) set_number(L, "stemming", gas->stemming_way(charge));
     set_number(L, "x", wall.centre.x() + simulation.model.origin.x());
     set_number(L, "y", wall.centre.y() + simulation.model.origin.y());
     set_number(L, "radius", wall.radius);

@@ -108,11 +108,12 @@ int native_explain(lua_State* L) {
 
 // update(simulation, list, index, entry): a changed material, joint, fixity or load
 int native_update(lua_State* L) {
-  Run& run = check_simulation(L, 1);
-  run.refuse_inside_step(L, "a change of a " + std::string(luaL_checkstring(L, 5)));
+  Run* run = live_simulation(L, 1);
+  if (!run) return 0;  // of an object that others still use
+  run->refuse_inside_step(L, "a change of a " + std::string(luaL_checkstring(L, 5)));
   const auto index = static_cast<int>(luaL_checkinteger(L, 3)) - 1;
-  update_scene(run.simulation.model.scene, luaL_checkstring(L, 2), index, TableReader(L, 4));
-  run.simulation.model.changed();
+  update_scene(run->simulation.model.scene, luaL_checkstring(L, 2), index, TableReader(L, 4));
+  run->simulation.model.changed();
   return 0;
 }
 

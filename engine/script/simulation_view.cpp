@@ -26,10 +26,17 @@ constexpr const char* waiting_key = "talus.simulation.waiting";  // runs never s
 
 using Handle = std::shared_ptr<Run>;
 
-Handle& check_handle(lua_State* L, int index) {
+// Empty when the script has dropped it: finalizers, and tables with weak keys, still have it until the next collection.
+Handle& any_handle(lua_State* L, int index) {
   if (index == 1 && !luaL_testudata(L, 1, metatable))
     refuse(L, "expected a simulation before its method, got " + describe(L, 1) + "; write sim:step(), with a colon");
   return *static_cast<Handle*>(luaL_checkudata(L, index, metatable));
+}
+
+Handle& check_handle(lua_State* L, int index) {
+  Handle& run = any_handle(L, index);
+  if (!run) refuse(L, "this simulation was given up when nothing referred to it any more");
+  return run;
 }
 
 void push_status(lua_State* L, const StepReport& report) {
@@ -298,6 +305,10 @@ void push_simulation_methods(lua_State* L) {
 
 Run& check_simulation(lua_State* L, int index) {
   return *check_handle(L, index);
+}
+
+Run* live_simulation(lua_State* L, int index) {
+  return any_handle(L, index).get();
 }
 
 }  // namespace talus

@@ -361,12 +361,23 @@ function talus.probe(fields) end
 ---@field diameter? number m; > 0; of the explosive, at most the hole's; the rest of the hole is empty (decoupling)
 ---@field eos? function|talus.polytropic|talus.jwl a `talus.eos`, or `function(v, t, chamber)` that returns the pressure (Pa) at v = V/V0, V0 the volume of the hole when it goes off: > 0, and falling as v grows; t seconds after that. This or `explosive`. The gas's work in a step is by the law at the middle of the step. Chamber: {name, volume, first_volume (m3 per metre), pressure (Pa), front (m)}, as it was at the beginning of the step; tried with 1 m3 under 1 MPa
 ---@field gas_speed? number|function of the gas in cracks: a number or `function(t, chamber)`, t seconds after it went off; the gas has come as far from the hole's centre as ∫ speed dt, and is at the wall before that
----@field venting? function|talus.orifice a `talus.venting.orifice`, or `function(t, chamber)` that returns the part of the pressure left, t seconds after the gas has reached a free surface
+---@field venting? function|talus.orifice a `talus.venting.orifice`, or `function(t, chamber)` that returns the part of the pressure left, t seconds after the gas has reached a free surface, or has thrown out the stemming
+---@field stemming? talus.stemming what closes the hole: the chamber vents when it is out
 
 ---An explosive in a hole of a region. Its gas presses on the hole's wall and enters the failed joints that hang together with it, as far as its front has got; it vents where it reaches a free surface.
 ---@param fields talus.charge
 ---@return talus.charge
 function talus.charge(fields) end
+
+---@class talus.stemming
+---@field length number m; > 0; L
+---@field density? number kg/m3; > 0; ρ, of the column with its pores
+---@field charge_length? number m; > 0; of the loaded part of the hole, whose gas the collar lets out through the area of the hole; required beside an orifice without an `opening`
+
+---A column of broken rock in the collar of a hole, which runs out of the plane. The gas pushes it, only its inertia holds it: x'' = P/(ρL). At x = L it is out, and the chamber vents as the charge's `venting` says. Friction along the hole and what the gas gains in room behind the column are left out: it holds a little longer than this.
+---@param fields talus.stemming
+---@return talus.stemming
+function talus.stemming(fields) end
 
 ---@class talus.explosive
 ---@field density number kg/m3; > 0; at which the constants hold
@@ -434,7 +445,7 @@ function talus.eos.jwl(fields) end
 ---@field output? talus.output|table what is written
 ---@field on_step? function `function(sim)`, called once after each accepted step
 ---@field on_fracture? function `function(sim, cracks)`, called after a step in which bonds failed, before on_step: a list of `{ joint, mode = "tension" or "shear", kind = "initiated", "propagated" or "coalesced", x, y, length, time, normal, shear, utilisation }`, tractions in Pa
----@field on_gas? function `function(sim, events)`, called after a step in which a charge went off, a chamber vented or two met: a list of `{ kind = "detonation", "venting" or "merging", charge, other, time, volume, pressure }`
+---@field on_gas? function `function(sim, events)`, called after a step in which a charge went off, a chamber vented or two met: a list of `{ kind = "detonation", "venting" or "merging", charge, other, time, volume, pressure, by }`, by = "surface" or "stemming" what a chamber vents through
 ---@field stop? function `function(sim)`, called after each accepted step, after on_step: the run ends where it returns true
 ---@field on_output? function `function(sim)`, called after each output time was written
 ---@field max_blocks? integer >= 1; a mesh that would give more is refused

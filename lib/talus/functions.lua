@@ -42,7 +42,7 @@ return {
         .. " vented, vented_at (s), volume, first_volume (m3 per metre), pressure (Pa), front (m), work (J/m, by its law), joined (m3 per"
         .. " metre, filled as it entered cracks), reach (m of joints that it has entered), reached ({ {joint, from, to}, … }, parts of"
         .. " them), delay (s, with its scatter), mass (kg per metre, of a charge given by its explosive), left (part of its gas that has not"
-        .. " blown out through an orifice), opening (m, of that), x, y, radius (m, of the charge's hole at the start)}" },
+        .. " blown out through an orifice), opening (m, of that), stemming (m, how far it has moved), x, y, radius (m, of the charge's hole at the start)}" },
     { "sim:material(name), sim:joint(name), sim:fix(name), sim:load(name), sim:region(name)",
       "the object as the script made it, by name or number: `sim:load(\"push\").force = {0, -2e3}`" },
     { "sim.blocks[7].sxx", "a field of one block (or joint, contact, probe), numbered from 1" },

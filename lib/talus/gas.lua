@@ -91,6 +91,13 @@ local function check_orifice(values, bad)
   end
 end
 
+-- Through what the collar lets gas out that an orifice is to pass.
+local function check_stemming(values, bad)
+  local orifice = values.venting
+  if object.kind(orifice) ~= "orifice" or given(orifice, "opening") or given(values.stemming, "charge_length") then return end
+  bad("stemming", "one with a charge_length (m), as the orifice has no opening of its own", "one without")
+end
+
 function gas.check(values, bad)
   if (values.eos == nil) == (values.explosive == nil) then
     bad(nil, "eos or explosive", values.eos == nil and "neither" or "both")
@@ -105,6 +112,7 @@ function gas.check(values, bad)
       return not (finite(speed) and speed >= 0) and "a speed >= 0 (m/s)" or nil
     end)
   end
+  if values.stemming then check_stemming(values, bad) end
   if object.kind(values.venting) == "orifice" then
     check_orifice(values, bad)
   elseif values.venting then
@@ -154,6 +162,10 @@ local function flatten_orifice(orifice, law, density)
            gamma = given(orifice, "gamma") or law and (law.gamma or 1 + law.omega) or 1.4 }
 end
 
+local function flatten_stemming(stemming)
+  return stemming and { length = get(stemming, "length"), density = get(stemming, "density"), charge_length = given(stemming, "charge_length") }
+end
+
 local function flatten_charge(charge, i, at)
   local name, eos, speed, venting = given(charge, "name") or ("charge %d"):format(i), given(charge, "eos"), get(charge, "gas_speed"),
     given(charge, "venting")
@@ -165,7 +177,8 @@ local function flatten_charge(charge, i, at)
              and { deviation = given(charge, "delay_scatter"), seed = get(charge, "seed"), charge = i },
            mass = mass, law = law, eos = of_script(eos, eos_with_chamber),
            speed = type(speed) == "number" and speed or nil, speed_law = of_script(speed, law_with_chamber),
-           venting = of_script(venting, law_with_chamber), orifice = flatten_orifice(venting, law, density) }
+           venting = of_script(venting, law_with_chamber), orifice = flatten_orifice(venting, law, density),
+           stemming = flatten_stemming(given(charge, "stemming")) }
 end
 
 function gas.flatten(charges, regions, links)

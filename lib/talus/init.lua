@@ -26,7 +26,7 @@ local function closed(name, contents)
 end
 
 for _, kind in ipairs { "material", "joint", "trace", "joint_set", "fix", "point_load", "edge_load", "pressure",
-    "viscous", "contact", "probe", "grade", "charge" } do
+    "viscous", "contact", "probe", "grade", "charge", "stemming" } do
   talus[kind] = function(fields) return object.new(kind, fields) end
 end
 

@@ -173,6 +173,35 @@ do
   talus.check.near("blow-down: no pressure after it", emptied.charges[1].pressure, 0, { abs = 0 })
 end
 
+-- Stemming that only its inertia holds, under a pressure that does not change: out at L √(2ρ/P), found at the end of the step. Then an orifice
+-- has the hole's area over the length of the charge, and what is left is that of a fixed volume.
+for _, way in ipairs { "at once", "through an orifice" } do
+  local P, L, density, loaded, dt, after, C, gas_density, gamma = 8*u.MPa, 1.5, 1800, 6, 1e-4, 0.02, 0.84, 150, 1.3
+  local t_out = L*math.sqrt(2*density/P)
+  local sim = held({ hole = "hole", gas_speed = 0, eos = talus.eos.polytropic { pressure = P, gamma = gamma },
+    stemming = talus.stemming { length = L, density = density, charge_length = loaded },
+    venting = way ~= "at once" and talus.venting.orifice { coefficient = C, density = gas_density } or nil }, { t_end = t_out + after, dt = dt })
+  local moved, at
+  repeat sim:step() until sim.time > t_out/2
+  moved, at = sim.charges[1].stemming, sim.time
+  local saved = sim:save()
+  sim:run()
+  local hash, charge = sim:hash(), sim.charges[1]
+  talus.check.near("stemming, " .. way .. ": on its way, m", moved, P/(density*L)*at^2/2, { rel = 1e-9 })
+  talus.check.between("stemming, " .. way .. ": is out, s", charge.vented_at, t_out, t_out + dt)
+  if way == "at once" then
+    talus.check.near("stemming: nothing presses after it", charge.pressure, 0, { abs = 0 })
+  else
+    local rate = C/loaded*math.sqrt(gamma*P/gas_density)*(2/(gamma + 1))^((gamma + 1)/(2*(gamma - 1)))
+    talus.check.near("stemming: opening, the hole's area over the length of the charge, m", charge.opening, charge.volume/loaded, { rel = 1e-12 })
+    talus.check.near("stemming: pressure of what blows out", charge.pressure,
+      P*(1 + (gamma - 1)/2*rate*(sim.time - charge.vented_at))^(-2*gamma/(gamma - 1)), { rel = 1e-6 })
+  end
+  sim:restore(saved)
+  sim:run()
+  talus.check.truth("stemming, " .. way .. ": saved on its way, it ends in the same state", sim:hash() == hash)
+end
+
 -- Two heavy halves that fly apart at ±c: the joint between them opens by 2ct at both of its ends. Against the flow integrated finely.
 do
   local heavy = talus.material { density = 1e10, young = E, poisson = nu }

@@ -33,7 +33,23 @@ return {
       { name = "venting", type = "any", of = { { type = "function" }, { type = "object", kinds = { "orifice" } } },
         default_doc = "the pressure is gone at once",
         doc = "a `talus.venting.orifice`, or `function(t, chamber)` that returns the part of the pressure left, t seconds after the gas"
-          .. " has reached a free surface" },
+          .. " has reached a free surface, or has thrown out the stemming" },
+      { name = "stemming", type = "object", kinds = { "stemming" }, default_doc = "the collar stays closed",
+        doc = "what closes the hole: the chamber vents when it is out" },
+    },
+  },
+  {
+    kind = "stemming", call = "talus.stemming",
+    doc = "A column of broken rock in the collar of a hole, which runs out of the plane. The gas pushes it, only its inertia holds it: x'' ="
+      .. " P/(ρL). At x = L it is out, and the chamber vents as the charge's `venting` says. Friction along the hole and what the gas gains in"
+      .. " room behind the column are left out: it holds a little longer than this.",
+    fields = {
+      { name = "length", type = "number", above = 0, unit = "m", required = true, doc = "L" },
+      { name = "density", type = "number", above = 0, unit = "kg/m3", default = 1600, doc = "ρ, of the column with its pores",
+        source = "dry crushed rock: 2700 kg/m3 with 40 % of pores" },
+      { name = "charge_length", type = "number", above = 0, unit = "m", default_doc = "none",
+        doc = "of the loaded part of the hole, whose gas the collar lets out through the area of the hole; required beside an orifice"
+          .. " without an `opening`" },
     },
   },
   {

@@ -43,7 +43,8 @@ return {
           .. " utilisation }`, tractions in Pa" },
       { name = "on_gas", type = "function",
         doc = "`function(sim, events)`, called after a step in which a charge went off, a chamber vented or two met: a list of"
-          .. " `{ kind = \"detonation\", \"venting\" or \"merging\", charge, other, time, volume, pressure }`" },
+          .. " `{ kind = \"detonation\", \"venting\" or \"merging\", charge, other, time, volume, pressure, by }`, by ="
+          .. " \"surface\" or \"stemming\" what a chamber vents through" },
       { name = "stop", type = "function",
         doc = "`function(sim)`, called after each accepted step, after on_step: the run ends where it returns true" },
       { name = "on_output", type = "function",
