@@ -52,7 +52,8 @@ OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSetting
 }
 
 // Sweeps, and where they are slow Newton's steps from their states, each followed by sweeps from its forces, as long as that
-// halves what the sweeps still change; then the splitting.
+// halves what the sweeps still change; then the splitting, from what the sweeps changed least: a step of Newton's that led away
+// takes the forces along.
 void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
                              OpenCloseResult& result) {
   const double tolerance = settings.tolerance;
@@ -62,6 +63,15 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
       std::clamp(int(factor_per_pair * blocks / count * std::sqrt(blocks / 1000)), least_worth, most_worth);
   result.converged = sweep(problem, 3 * worth, worth, Carry::momentum, d, result) <= tolerance;
   take_states(problem);
+  struct {
+    double change = std::numeric_limits<double>::infinity();
+    std::vector<double> normal, shear;
+    Vector d;
+  } least;
+  const auto keep_least = [&] {
+    if (!result.converged && result.sweep_change < least.change) least = {result.sweep_change, normal_, shear_, d};
+  };
+  keep_least();
   bool halved = true;
   while (halved && !result.converged && !missed_ && result.iterations < settings.max_iterations &&
          result.effort() < settings.most_effort) {
@@ -79,8 +89,15 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
     result.converged = sweep(problem, pairs, 0, Carry::momentum, d, result) <= tolerance;
     take_states(problem);
     halved = result.sweep_change < 0.5 * before;
+    keep_least();
   }
-  if (!halved && !result.converged && !missed_) solve_by_splitting(problem, settings, d, result);
+  if (!halved && !result.converged && !missed_) {
+    normal_ = least.normal;
+    shear_ = least.shear;
+    d = least.d;
+    take_states(problem);
+    solve_by_splitting(problem, settings, d, result);
+  }
   result.missed = !result.converged && missed_;
 }
 
