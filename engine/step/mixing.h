@@ -14,20 +14,20 @@ class Mixing {
 
   // The point to go on from, after `from` was moved by `change`.
   Vector next(const Vector& from, const Vector& change) {
-    if (last_.size() > 0 && change.squaredNorm() > 4 * last_change_.squaredNorm())
-      differences_.clear();  // what was learnt no longer holds
-    else if (last_.size() > 0)
-      remember(from, change);
+    const bool first = last_.size() == 0, lost = !first && change.squaredNorm() > 4 * last_change_.squaredNorm();
+    if (lost) differences_.clear();  // what was learnt no longer holds
+    Vector along(Eigen::Index(differences_.size()));
+    for (Eigen::Index a = 0; a < along.size(); ++a) along[a] = differences_[size_t(a)].change.dot(change);
+    if (!first && !lost) remember(from, change, along);
     last_ = from;
     last_change_ = change;
+    along_ = along;
     Vector x = from + change;
-    const auto count = Eigen::Index(differences_.size());
+    const auto count = along.size();
     if (count == 0) return x;
-    Vector right(count);
-    for (Eigen::Index a = 0; a < count; ++a) right[a] = differences_[size_t(a)].change.dot(change);
     Eigen::MatrixXd products = products_.topLeftCorner(count, count);
     products.diagonal() *= 1 + 1e-10;  // changes that repeat each other leave it singular
-    const Vector weights = products.ldlt().solve(right);
+    const Vector weights = products.ldlt().solve(along);
     for (Eigen::Index a = 0; a < count; ++a) x -= weights[a] * differences_[size_t(a)].reached;
     return x;
   }
@@ -37,22 +37,31 @@ class Mixing {
     Vector change, reached;  // reached: of where they were moved to
   };
 
-  void remember(const Vector& from, const Vector& change) {
+  // `along`: the products of the differences with `change`, from which and from those with the last change come those with the new
+  // difference. It gets one more.
+  void remember(const Vector& from, const Vector& change, Vector& along) {
+    Vector with_new = along - along_;
     if (int(differences_.size()) == memory_) {
       differences_.pop_front();
       const Eigen::MatrixXd kept = products_.bottomRightCorner(memory_ - 1, memory_ - 1);
       products_.topLeftCorner(memory_ - 1, memory_ - 1) = kept;
+      along = Vector(along.tail(memory_ - 1));
+      with_new = Vector(with_new.tail(memory_ - 1));
     }
+    const Eigen::Index own = along.size();
     differences_.push_back({change - last_change_, from - last_ + change - last_change_});
-    const auto own = Eigen::Index(differences_.size()) - 1;
-    for (Eigen::Index a = 0; a <= own; ++a)
-      products_(a, own) = products_(own, a) = differences_[size_t(a)].change.dot(differences_.back().change);
+    const Vector& latest = differences_.back().change;
+    products_.col(own).head(own) = with_new;
+    products_.row(own).head(own) = with_new;
+    products_(own, own) = latest.squaredNorm();
+    along.conservativeResize(own + 1);
+    along[own] = latest.dot(change);
   }
 
   int memory_;
   std::deque<Difference> differences_;
   Eigen::MatrixXd products_;  // of the changes with each other
-  Vector last_, last_change_;
+  Vector last_, last_change_, along_;  // along_: products of the differences with last_change_
 };
 
 }  // namespace talus

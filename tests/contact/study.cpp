@@ -88,7 +88,7 @@ void print_row(const Problem& problem, const Named& candidate, const Outcome& ou
   std::fflush(stdout);
 }
 
-// own: the residual at which the engine took the step, or 0 where it had to cut it.
+// own: the residual at which the engine took the step, or 0 where it had to cut it or began again from where it had got to.
 void compare(Problem& problem, double own, Tallies& tallies) {
   if (Desk(problem).count() == 0) throw std::runtime_error(problem.name + ": nothing touches in this step");
   problem.bare = bare_cost(problem);
@@ -150,6 +150,7 @@ void check(Problem& problem, double, Tallies& tallies) {
 bool study(const std::string& folder, const Entry& entry, decltype(&compare) use, Tallies& tallies) {
   Problem problem;
   bool found = false;
+  int assembled = 0;  // times, for that step
   SessionOptions options;
   options.script = folder + "/" + entry.scene;
   options.parameters = entry.parameters;
@@ -161,13 +162,14 @@ bool study(const std::string& folder, const Entry& entry, decltype(&compare) use
     simulation.stepper().on_assembled = [&, tried](const Scheme& scheme, const System& system,
                                                    const ContactTerms& contacts) mutable {
       if (simulation.totals.steps + 1 != simulation.model.scene.time.max_steps) return;
+      ++assembled;
       if (tried == 0) tried = scheme.dt;
       if (scheme.dt == tried) problem = {entry.name, simulation.model, scheme, system, contacts};
     };
     simulation.on_step.emplace_back([&](Simulation& now) {
       if (now.totals.steps != now.model.scene.time.max_steps) return;
       found = true;
-      use(problem, now.last.cuts == 0 ? now.last.residual : 0, tallies);
+      use(problem, assembled == 1 ? now.last.residual : 0, tallies);
       problem = {};  // laws of the script go before it
     });
   };
