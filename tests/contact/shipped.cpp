@@ -29,7 +29,7 @@ const std::vector<Named>& candidates() {
       {"sweeps, plain", plain_sweeps},
       {"sweeps, Nesterov", nesterov_sweeps},
       {"sweeps, Anderson", anderson_sweeps},
-      {"shipped: sweeps and Newton", shipped},
+      {"shipped: sweeps, Newton, splitting", shipped},
   };
   return list;
 }
