@@ -388,6 +388,12 @@ Energies Stepper::energies() {
 
 void Stepper::give_up(const OpenCloseResult& result, double dt) const {
   char text[400];
+  if (result.singular_block >= 0 && dt > 0) {
+    std::snprintf(text, sizeof text,
+                  "t = %.9g s: no step down to %.3g s has a solution: the inertia of %s is lost beside its stiffness; give a shorter time.dt",
+                  model_.time, dt, block_name(model_, result.singular_block).c_str());
+    throw RunError(text);
+  }
   if (result.singular_block >= 0) {
     std::snprintf(text, sizeof text, "nothing holds %s: fix it, put it on something, or run the scene as dynamic",
                   block_name(model_, result.singular_block).c_str());
