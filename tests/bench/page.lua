@@ -157,12 +157,12 @@ local function bounds()
   for _, sweep in ipairs(cases.sweep) do
     if not quickest[sweep.jobs] or sweep.wall < quickest[sweep.jobs].wall then quickest[sweep.jobs] = sweep end
   end
-  local one, two = quickest[1], quickest[2]
+  local alone, paired = quickest[1], quickest[2]
   row(("checkpoint of %d bricks in contact, CPU"):format(saved.blocks), saved.cpu, " ms", 50)
   row("its file", saved.size, " MB", 20)
-  row("eight runs in a sweep, time beyond that of the runs themselves", 100*(one.wall/one.runs - 1), " %", 3)
-  row("the same, CPU", 100*(one.cpu/one.own - 1), " %", 3)
-  row("eight runs two at a time on two cores over one at a time, time", one.wall/two.wall, "", 1.8, true)
+  row("eight runs in a sweep, time beyond that of the runs themselves", 100*(alone.wall/alone.runs - 1), " %", 3)
+  row("the same, CPU", 100*(alone.cpu/alone.own - 1), " %", 3)
+  row("eight runs two at a time on two cores over one at a time, time", alone.wall/paired.wall, "", 1.8, true)
 end
 
 local function walls()
