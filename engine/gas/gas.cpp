@@ -214,7 +214,7 @@ void Gas::end_step(double dt) {
       chamber.pressure = 0;
       continue;
     }
-    if (!stemming_.empty()) push_stemming(chamber, dt);
+    if (!stemming_.empty()) push_stemming(int(c), dt);
     chamber.work += guess.pressure * guess.swept;
     chamber.joined += guess.volume - chamber.volume - guess.swept;
     chamber.volume = guess.volume;

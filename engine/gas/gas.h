@@ -82,7 +82,7 @@ class Gas {
   bool meet(int a, int b) const;
   void merge();
   void take_over(int chamber, int other);
-  void push_stemming(const Chamber& chamber, double dt);
+  void push_stemming(int chamber, double dt);
   bool stemming_out(int charge) const;
   bool stemming_out(const Chamber& chamber) const;
   double opening_of(int chamber) const;

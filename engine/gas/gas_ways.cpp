@@ -72,13 +72,12 @@ void Gas::take_over(int c, int other) {
 }
 
 // A column of length L and density ρ that only its inertia holds: x'' = P/(ρL), until x = L. P is that of the step.
-void Gas::push_stemming(const Chamber& chamber, double dt) {
-  const double pressure = guess_[&chamber - chambers_.data()].pressure;
-  for (const int charge : chamber.charges) {
+void Gas::push_stemming(int c, double dt) {
+  for (const int charge : chambers_[c].charges) {
     const auto& stemming = model_.scene.charges[charge].stemming;
     if (!stemming || stemming_out(charge)) continue;
     StemmingMotion& motion = stemming_[charge];
-    const double faster = dt * pressure / (stemming->density * stemming->length);
+    const double faster = dt * guess_[c].pressure / (stemming->density * stemming->length);
     motion.way += dt * (motion.speed + faster / 2);
     motion.speed += faster;
   }

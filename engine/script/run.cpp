@@ -12,8 +12,8 @@
 #include "script/lua_error.h"
 #include "script/simulation_view.h"
 #include "script/table_view.h"
-#include "step/step.h"
 #include "step/part_timer.h"
+#include "step/step.h"
 
 namespace talus {
 namespace {
