@@ -18,7 +18,7 @@ constexpr double least_hold = 1e-4;
 constexpr int static_patience = 4;  // steps that bring equilibrium no nearer, of bonds that soften
 constexpr int steps_a_level = 3;  // with one share of the slopes, before a larger one is tried
 constexpr int equilibrium_iterations = 200;
-constexpr double release_hold = 100;  // so that states change a few at a time
+constexpr double release_hold = 0.1;
 constexpr int release_iterations = 40;
 
 // How the falling branches of bonds that soften are taken. With their whole slope, Newton's step, as long as the matrix is

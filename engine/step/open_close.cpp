@@ -18,6 +18,8 @@ constexpr int splittings = 80;    // iterations a round
 constexpr int least_quiet = 4;    // iterations in which no state changes: they are tried
 constexpr int patience = 6;       // rounds that do not halve the change of the splitting, before the step is cut
 constexpr int most_full = 8;      // Newton's steps from the splitting's states
+// Newton's steps in equilibrium: before the splitting, and where nothing slides, before it is sought against more inertia.
+constexpr int newton_sliding = 4, newton_stuck = 15;
 constexpr int pairs_alone = 10000;  // where no factor is allowed: as tests/contact gives its candidates
 constexpr int few = 20;             // one state in so many has changed: the coupled law is tried
 constexpr int most_coupled = 4;     // steps of the coupled law in a row
@@ -46,9 +48,24 @@ OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSetting
     solve_by_sweeps(problem, settings.tolerance, d, result);
   else if (swept)
     solve_motion(problem, settings, d, result);
+  else if (settings.motion)
+    solve_by_newton(problem, settings, settings.max_iterations, d, result);
   else
-    solve_by_newton(problem, settings, d, result);
+    solve_equilibrium(problem, settings, d, result);
   return result;
+}
+
+// Newton's steps where few states change, else the splitting. Contacts that do not slide have no states to look for in it: the
+// problem is convex.
+void OpenClose::solve_equilibrium(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, OpenCloseResult& result) {
+  const auto& rows = problem.contacts.rows();
+  const bool slides = std::any_of(rows.begin(), rows.end(), [](const ContactRows& row) { return std::isfinite(row.cohesion); });
+  solve_by_newton(problem, settings, std::min(settings.max_iterations, slides ? newton_sliding : newton_stuck), d, result);
+  if (!slides || result.converged || missed_ || result.singular_block >= 0 || !std::isfinite(result.residual)) return;
+  forces_at_present(problem);
+  take_states(problem);
+  solve_by_splitting(problem, settings, d, result);
+  result.missed = !result.converged && missed_;
 }
 
 // Sweeps, and where they are slow Newton's steps from their states, each followed by sweeps from its forces, as long as that
@@ -146,12 +163,12 @@ void OpenClose::solve_by_sweeps(ContactProblem& problem, double tolerance, Vecto
 
 // In equilibrium, where nothing but neighbours holds a block, or where asked for: Newton's steps, of the coupled law
 // where the states have settled, else of the convex potential.
-void OpenClose::solve_by_newton(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
-                             OpenCloseResult& result) {
+void OpenClose::solve_by_newton(ContactProblem& problem, const OpenCloseSettings& settings, int most, Vector& d,
+                                OpenCloseResult& result) {
   const double tolerance = settings.tolerance;
   const auto& rows = problem.contacts.rows();
   continue_states(problem);
-  while (!result.converged && result.iterations < settings.max_iterations) {
+  while (!result.converged && result.iterations < most) {
     if (!factor(problem, result)) return;
     ++result.iterations;
     if (result.iterations == 1)

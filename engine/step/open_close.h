@@ -64,8 +64,8 @@ class OpenClose {
                     OpenCloseResult& result);
   void solve_by_splitting(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, OpenCloseResult& result);
   void solve_by_sweeps(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result);
-  void solve_by_newton(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
-                    OpenCloseResult& result);
+  void solve_equilibrium(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, OpenCloseResult& result);
+  void solve_by_newton(ContactProblem& problem, const OpenCloseSettings& settings, int most, Vector& d, OpenCloseResult& result);
   int changed_states(const ContactProblem& problem) const;
   void continue_states(const ContactProblem& problem);
   bool factor(ContactProblem& problem, OpenCloseResult& result);

@@ -19,7 +19,6 @@ namespace talus {
 
 namespace {
 
-constexpr int held_iterations = 15;  // open–close, before equilibrium is sought against more inertia, where states change less
 constexpr double most_solve_effort = 12;  // factors, among cracks: three times what keeps a step from growing
 
 // What an attempt at a step changes before it is known to succeed; put back unless keep() is called.
@@ -274,9 +273,7 @@ IslandResult Stepper::solve(double dt, Vector& d) {
   const Numerics& numerics = model_.scene.numerics;
   const bool motion = dt > 0;
   if (!motion && on_equilibrium_solve) on_equilibrium_solve();
-  const OpenCloseSettings settings{numerics.contact_tolerance,
-                                   motion ? numerics.max_iterations : std::min(numerics.max_iterations, held_iterations),
-                                   motion, numerics.solver,
+  const OpenCloseSettings settings{numerics.contact_tolerance, numerics.max_iterations, motion, numerics.solver,
                                    fracture_ && dt > fracture_->least_transit() ? most_solve_effort
                                                                                 : std::numeric_limits<double>::infinity()};
   const IslandResult result = islands_.solve(model_, system_, contacts_, settings, dt, d);
