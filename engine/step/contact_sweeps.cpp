@@ -11,6 +11,7 @@ namespace {
 
 // Pairs of sweeps after which a restart of the momentum by growth of the change is allowed: it takes a few to build up.
 constexpr int least_run = 5;
+constexpr int pairs_to_rebuild = 20;  // motions carried on with the forces gather rounding
 // Blocks. The larger the patches the fewer the sweeps; a patch costs the cube of its unknowns.
 constexpr size_t most_in_patch = 6;
 
@@ -21,30 +22,33 @@ ColumnOf<n> padded(const Row& row, int size) {
   return column;
 }
 
-// The law of one contact: gap = gap0 + nn n - ns t, slide = slide0 + ns n - ss t, stiffness included in nn and ss, so
-// pressed and sticking mean gap = 0 and slide = 0. Cohesion holds at n = 0 too (ContactTerms::linearise).
-Sweeping::Forces coulomb(double gap0, double slide0, double nn, double ns, double ss, double friction, double cohesion) {
-  const double det = nn * ss - ns * ns;  // > 0: a contact's own compliance is in both
-  const double n = (-gap0 * ss + slide0 * ns) / det, t = (nn * slide0 - ns * gap0) / det;
-  if (n > 0 && std::abs(t) <= friction * n + cohesion) return {n, t};
-  const double alone = std::clamp(slide0 / ss, -cohesion, cohesion);
-  if (gap0 - ns * alone >= 0 && n <= 0) return {0, alone};
+}  // namespace
+
+Sweeping::ContactLaw::ContactLaw(double normal, double mixed, double shear, double tan_phi, double held)
+    : nn(normal), ns(mixed), ss(shear), friction(tan_phi), cohesion(held), by_det(1 / (nn * ss - ns * ns)), by_ss(1 / ss) {
+  for (const int way : {0, 1}) {
+    const double steep = nn - (way == 0 ? 1 : -1) * ns * friction;
+    by_steep[way] = steep > 0 ? 1 / steep : 0;
+  }
+}
+
+// `stuck`: what sticking would ask for, which is too much.
+Sweeping::Forces Sweeping::ContactLaw::slide_or_open(double gap0, double slide0, Forces stuck) const {
+  const double alone = std::clamp(slide0 * by_ss, -cohesion, cohesion);
+  const bool open = gap0 - ns * alone >= 0;
+  if (open && stuck.n <= 0) return {0, alone};
   // Sliding towards where sticking would ask too much, else the other way.
-  for (const double way : {t > 0 ? 1.0 : -1.0, t > 0 ? -1.0 : 1.0}) {
-    const double steep = nn - way * ns * friction;  // not positive: it would wedge itself without bound
-    if (steep <= 0) continue;
-    const double pressed = (-gap0 + way * ns * cohesion) / steep;
+  for (const bool back : {stuck.t <= 0, stuck.t > 0}) {
+    const double way = back ? -1 : 1;
+    const double pressed = (way * ns * cohesion - gap0) * by_steep[back];
     if (pressed <= 0) continue;
     const double limit = friction * pressed + cohesion;
     if (way * (slide0 + ns * pressed) - ss * limit >= 0) return {pressed, way * limit};
   }
-  if (gap0 - ns * alone >= 0) return {0, alone};
+  if (open) return {0, alone};
   // Nothing fits to the last digit, at the border of two cases: the nearest of sticking.
-  const double pressed = std::max(n, 0.0), limit = friction * pressed + cohesion;
-  return {pressed, std::clamp(t, -limit, limit)};
+  return carried(stuck);
 }
-
-}  // namespace
 
 template <int size>
 void SweepsOf<size>::start(const ContactProblem& problem) {
@@ -161,19 +165,19 @@ void SweepsOf<size>::add_link(const ContactRows& row, int contact, const std::ve
   link.nn = factor_ * (link.normal_i.dot(link.moved_ni) + link.normal_j.dot(link.moved_nj));
   link.ns = factor_ * (link.normal_i.dot(link.moved_si) + link.normal_j.dot(link.moved_sj));
   link.ss = factor_ * (link.shear_i.dot(link.moved_si) + link.shear_j.dot(link.moved_sj));
-  link.soft_n = 1 / row.kn;
-  link.soft_s = 1 / row.ks;
-  link.friction = row.friction;
-  link.cohesion = row.cohesion;
+  link.law = ContactLaw(link.nn + 1 / row.kn, link.ns, link.ss + 1 / row.ks, row.friction, row.cohesion);
   link.contact = contact;
 }
 
 template <int size>
 void SweepsOf<size>::rebuild() {
   std::vector<Column> sum = force_;
-  for (const Link& link : contacts_) {
-    sum[link.i] += link.n * link.normal_i - link.t * link.shear_i;
-    sum[link.j] += link.n * link.normal_j - link.t * link.shear_j;
+  for (size_t k = 0; k < contacts_.size(); ++k) {
+    const Link& link = contacts_[k];
+    const auto [n, t] = forces_[k];
+    if (n == 0 && t == 0) continue;
+    sum[link.i] += n * link.normal_i - t * link.shear_i;
+    sum[link.j] += n * link.normal_j - t * link.shear_j;
   }
   for (size_t l = 0; l < bond_.size(); ++l) sum[l] += bond_[l];
   for (const Patch& patch : patches_)
@@ -199,54 +203,90 @@ void SweepsOf<size>::relax(const Patch& patch) {
 }
 
 template <int size>
-void SweepsOf<size>::settle(Link& link) {
-  Column &di = motion_[link.i], &dj = motion_[link.j];
+void SweepsOf<size>::settle(const Link& link, Forces& forces) {
+  const Column &di = motion_[link.i], &dj = motion_[link.j];
   const double gap = link.gap0 + factor_ * (link.normal_i.dot(di) + link.normal_j.dot(dj));
-  if (link.n == 0 && gap >= 0 && link.cohesion == 0) return;
+  if (forces.n == 0 && gap >= 0 && link.law.cohesion == 0) return;
   const double slide = link.slide0 + factor_ * (link.shear_i.dot(di) + link.shear_j.dot(dj));
-  const Forces now = coulomb(gap - link.nn * link.n + link.ns * link.t, slide - link.ns * link.n + link.ss * link.t,
-                             link.nn + link.soft_n, link.ns, link.ss + link.soft_s, link.friction, link.cohesion);
-  const double dn = now.n - link.n, dt = now.t - link.t;
-  if (dn == 0 && dt == 0) return;
-  di += dn * link.moved_ni - dt * link.moved_si;
-  dj += dn * link.moved_nj - dt * link.moved_sj;
+  const Forces now = link.law.meet(gap - link.nn * forces.n + link.ns * forces.t, slide - link.ns * forces.n + link.ss * forces.t);
+  if (now.n == forces.n && now.t == forces.t) return;
+  move(link, now.n - forces.n, now.t - forces.t);
+  forces = now;
+}
+
+template <int size>
+void SweepsOf<size>::move(const Link& link, double dn, double dt) {
+  motion_[link.i] += dn * link.moved_ni - dt * link.moved_si;
+  motion_[link.j] += dn * link.moved_nj - dt * link.moved_sj;
   for (int k = link.with_begin; k < link.with_end; ++k) motion_[with_[k].block] += dn * with_[k].n - dt * with_[k].s;
-  link.n = now.n;
-  link.t = now.t;
 }
 
 template <int size>
 void SweepsOf<size>::sweep(bool backwards) {
   if (backwards) {
     for (auto patch = patches_.rbegin(); patch != patches_.rend(); ++patch) relax(*patch);
-    for (auto link = contacts_.rbegin(); link != contacts_.rend(); ++link) settle(*link);
+    for (size_t k = contacts_.size(); k-- > 0;) settle(contacts_[k], forces_[k]);
   } else {
-    for (Link& link : contacts_) settle(link);
+    for (size_t k = 0; k < contacts_.size(); ++k) settle(contacts_[k], forces_[k]);
     for (const Patch& patch : patches_) relax(patch);
   }
 }
 
-// The forces of a contact, cut to what it can carry.
 template <int size>
-void SweepsOf<size>::carry_on(Link& link, double n, double t) {
-  link.n = std::max(0.0, n);
-  const double limit = (link.n > 0 ? link.friction * link.n : 0) + link.cohesion;
-  link.t = std::clamp(t, -limit, limit);
+struct SweepsOf<size>::Change {  // of a pair of sweeps, N²
+  double change = 0, level = 0;
+  double turned = 0;  // > 0: against the change since the pair before
+};
+
+template <int size>
+typename SweepsOf<size>::Change SweepsOf<size>::change(const State& from, const State& last) const {
+  Change sum;
+  for (size_t k = 0; k < forces_.size(); ++k) {
+    const Forces now = forces_[k];
+    const double dn = now.n - from.forces[k].n, dt = now.t - from.forces[k].t;
+    sum.change += dn * dn + dt * dt;
+    sum.level += now.n * now.n;
+    sum.turned -= dn * (now.n - last.forces[k].n) + dt * (now.t - last.forces[k].t);
+  }
+  for (size_t l = 0; l < bond_.size(); ++l) {
+    const Column db = bond_[l] - from.bond[l];
+    sum.change += db.squaredNorm();
+    sum.level += bond_[l].squaredNorm();
+    sum.turned -= db.dot(bond_[l] - last.bond[l]);
+  }
+  return sum;
+}
+
+// Forces go on along their change since `last`, and the motions, which are linear in them, with them; what is cut to Coulomb's cone
+// is put right.
+template <int size>
+void SweepsOf<size>::carry_on(const State& last, double momentum) {
+  for (size_t l = 0; l < bond_.size(); ++l) {
+    bond_[l] += momentum * (bond_[l] - last.bond[l]);
+    motion_[l] += momentum * (motion_[l] - last.motion[l]);
+  }
+  for (size_t k = 0; k < forces_.size(); ++k) {
+    Forces& now = forces_[k];
+    const Forces free{now.n + momentum * (now.n - last.forces[k].n), now.t + momentum * (now.t - last.forces[k].t)};
+    now = contacts_[k].law.carried(free);
+    if (now.n != free.n || now.t != free.t) move(contacts_[k], now.n - free.n, now.t - free.t);
+  }
 }
 
 template <int size>
-void SweepsOf<size>::mix(const std::vector<Forces>& from, Mixing& mixing) {
+void SweepsOf<size>::mix(const State& from, Mixing& mixing) {
   const Eigen::Index count = Eigen::Index(contacts_.size());
   Vector x(2 * count), change(2 * count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    x[k] = from[size_t(k)].n;
-    x[count + k] = from[size_t(k)].t;
-    change[k] = contacts_[size_t(k)].n - x[k];
-    change[count + k] = contacts_[size_t(k)].t - x[count + k];
+    x[k] = from.forces[size_t(k)].n;
+    x[count + k] = from.forces[size_t(k)].t;
+    change[k] = forces_[size_t(k)].n - x[k];
+    change[count + k] = forces_[size_t(k)].t - x[count + k];
   }
   const Vector next = mixing.next(x, change);
   for (Eigen::Index k = 0; k < count; ++k)
-    if (Link& link = contacts_[size_t(k)]; link.n > 0) carry_on(link, next[k], next[count + k]);  // what has opened stays open
+    if (Forces& forces = forces_[size_t(k)]; forces.n > 0)  // what has opened stays open
+      forces = contacts_[size_t(k)].law.carried({next[k], next[count + k]});
   rebuild();
 }
 
@@ -255,12 +295,12 @@ Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry
                                            std::vector<double>& shear, Vector& d) {
   const auto& rows = problem_->contacts.rows();
   const int blocks = int(blocks_.size());
-  for (Link& link : contacts_) {
-    const ContactRows& row = rows[link.contact];
-    link.gap0 = row.gap0;
-    link.slide0 = row.slide0;
-    link.n = normal[link.contact];
-    link.t = shear[link.contact];
+  forces_.resize(contacts_.size());
+  for (size_t k = 0; k < contacts_.size(); ++k) {
+    Link& link = contacts_[k];
+    link.gap0 = rows[link.contact].gap0;
+    link.slide0 = rows[link.contact].slide0;
+    forces_[k] = {normal[link.contact], shear[link.contact]};
   }
   for (int l = 0; l < blocks; ++l) {
     motion_[l].setZero();
@@ -271,37 +311,21 @@ Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry
     for (const Tie& tie : ties_[l]) bond_[l] -= tie.k * motion_[tie.other];
   }
   rebuild();
-  const size_t count = contacts_.size();
-  std::vector<Column> bond_from, bond_last = bond_;
-  std::vector<Forces> from(count), last(count);  // before the present pair; after the one before it
-  for (size_t k = 0; k < count; ++k) last[k] = {contacts_[k].n, contacts_[k].t};
+  State from, last{forces_, bond_, motion_};  // before the present pair; after the one before it
   Progress progress;
   Mixing mixing;
   double theta = 1, before = 0;
   double decade = 0;  // change ten pairs ago
   int since = 0;
   while (progress.pairs < most) {
-    for (size_t k = 0; k < count; ++k) from[k] = {contacts_[k].n, contacts_[k].t};
-    bond_from = bond_;
+    from.forces = forces_;
+    from.bond = bond_;
     sweep(false);
     sweep(true);
     ++progress.pairs;
-    double change = 0, level = 0, turned = 0;
-    for (size_t k = 0; k < count; ++k) {
-      const Link& link = contacts_[k];
-      const double dn = link.n - from[k].n, dt = link.t - from[k].t;
-      change += dn * dn + dt * dt;
-      level += link.n * link.n;
-      turned -= dn * (link.n - last[k].n) + dt * (link.t - last[k].t);
-    }
-    for (int l = 0; l < blocks; ++l) {
-      const Column db = bond_[l] - bond_from[l];
-      change += db.squaredNorm();
-      level += bond_[l].squaredNorm();
-      turned -= db.dot(bond_[l] - bond_last[l]);
-    }
-    progress.change = level > 0 ? std::sqrt(change / level) : 0;
-    progress.moved = std::sqrt(change);
+    const Change now = change(from, last);
+    progress.change = now.level > 0 ? std::sqrt(now.change / now.level) : 0;
+    progress.moved = std::sqrt(now.change);
     if (progress.change <= enough) break;
     if (progress.pairs % 10 == 0) {
       if (worth > 0 && decade > 0 && !(progress.change < decade * std::pow(enough / progress.change, 10.0 / worth))) break;
@@ -316,29 +340,24 @@ Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry
     double momentum = (theta - 1) / next;
     theta = next;
     ++since;
-    if (turned > 0 || (change > before && since > least_run)) {
+    if (now.turned > 0 || (now.change > before && since > least_run)) {
       theta = 1;
       momentum = 0;
       since = 0;
     }
-    before = change;
-    for (size_t k = 0; k < count; ++k) {
-      Link& link = contacts_[k];
-      const Forces now{link.n, link.t};
-      if (momentum > 0) carry_on(link, now.n + momentum * (now.n - last[k].n), now.t + momentum * (now.t - last[k].t));
-      last[k] = now;
-    }
-    for (int l = 0; l < blocks; ++l) {
-      const Column now = bond_[l];
-      if (momentum > 0) bond_[l] += momentum * (now - bond_last[l]);
-      bond_last[l] = now;
-    }
-    if (momentum > 0) rebuild();
+    before = now.change;
+    if (progress.pairs % pairs_to_rebuild == 0) rebuild();
+    State& reached = from;
+    reached.forces = forces_;
+    reached.bond = bond_;
+    reached.motion = motion_;
+    if (momentum > 0) carry_on(last, momentum);
+    std::swap(reached, last);
   }
   rebuild();
-  for (const Link& link : contacts_) {
-    normal[link.contact] = link.n;
-    shear[link.contact] = link.t;
+  for (size_t k = 0; k < contacts_.size(); ++k) {
+    normal[contacts_[k].contact] = forces_[k].n;
+    shear[contacts_[k].contact] = forces_[k].t;
   }
   for (int l = 0; l < blocks; ++l) {
     const int dofs = problem_->dofs[blocks_[l]];

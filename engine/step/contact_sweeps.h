@@ -6,6 +6,9 @@
 // patches of a few, and what holds patches together is relaxed from patch to patch in the same sweep.
 // Between pairs of sweeps the forces are carried on: by Nesterov's momentum (1983) with restart (O'Donoghue & Candès 2015), or by
 // Anderson's mixing, dearer and surer.
+#include <algorithm>
+#include <cmath>
+
 #include "step/contact_problem.h"
 #include "step/mixing.h"
 
@@ -16,6 +19,29 @@ class Sweeping {
   enum class Carry { momentum, mixing };
   struct Forces {  // of a contact, N
     double n, t;
+  };
+  // Of one contact whose two blocks give way to it alone.
+  struct ContactLaw {
+    double nn, ns, ss;          // m/N: gap and slide under unit forces, the contact's own compliance with them
+    double friction, cohesion;  // tan φ; N
+    double by_det, by_ss, by_steep[2];  // reciprocals; of sliding either way, nought where it would wedge itself without bound
+
+    ContactLaw() = default;
+    ContactLaw(double nn, double ns, double ss, double friction, double cohesion);
+    // The forces at which gap = gap0 + nn n - ns t and slide = slide0 + ns n - ss t meet the law: pressed and sticking mean gap = 0
+    // and slide = 0. Cohesion holds at n = 0 too (ContactTerms::linearise).
+    Forces meet(double gap0, double slide0) const {
+      const double n = (slide0 * ns - gap0 * ss) * by_det, t = (nn * slide0 - ns * gap0) * by_det;
+      return n > 0 && std::abs(t) <= friction * n + cohesion ? Forces{n, t} : slide_or_open(gap0, slide0, {n, t});
+    }
+    // `forces` cut to what the contact can carry.
+    Forces carried(Forces forces) const {
+      const double n = std::max(0.0, forces.n), limit = (n > 0 ? friction * n : 0) + cohesion;
+      return {n, std::clamp(forces.t, -limit, limit)};
+    }
+
+   private:
+    Forces slide_or_open(double gap0, double slide0, Forces stuck) const;
   };
   struct Progress {
     int pairs = 0;
@@ -39,12 +65,10 @@ class SweepsOf : public Sweeping {
     Column moved_ni, moved_nj, moved_si, moved_sj;    // motion of the blocks under unit force
     double nn, ns, ss;      // m/N: gap and slide under unit forces, without the contact's own compliance
     double gap0, slide0;    // m
-    double soft_n, soft_s;  // m/N, 1 / stiffness
-    double friction, cohesion;
+    ContactLaw law;
     int i, j;               // into blocks_; the last one stands for all that is held
     int with_begin, with_end;  // into with_
     int contact;
-    double n = 0, t = 0;    // N
   };
   struct With {  // a block that a contact moves because it hangs together with those it is on
     int block;
@@ -59,16 +83,24 @@ class SweepsOf : public Sweeping {
     Eigen::MatrixXd inverse;  // `size` a block; zero for unknowns that are none
     bool tied = false;        // to other patches
   };
+  struct State {
+    std::vector<Forces> forces;
+    std::vector<Column> bond, motion;
+  };
   void find_patches();
   void add_link(const ContactRows& row, int contact, const std::vector<int>& place);
-  void settle(Link& link);
+  void settle(const Link& link, Forces& forces);
+  void move(const Link& link, double dn, double dt);  // of what the contact moves, under so much more force
   void relax(const Patch& patch);
   void rebuild();  // motions_ from the forces
   void sweep(bool backwards);
-  void carry_on(Link& link, double n, double t);
-  void mix(const std::vector<Forces>& from, Mixing& mixing);
+  struct Change;
+  Change change(const State& from, const State& last) const;
+  void carry_on(const State& last, double momentum);
+  void mix(const State& from, Mixing& mixing);
 
   std::vector<Link> contacts_;
+  std::vector<Forces> forces_;  // of contacts_
   std::vector<With> with_;
   std::vector<int> blocks_;  // of the problem, those that move
   std::vector<Patch> patches_;
