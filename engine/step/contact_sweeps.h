@@ -22,8 +22,8 @@ class Sweeping {
   };
   // Of one contact whose two blocks give way to it alone.
   struct ContactLaw {
-    double nn, ns, ss;          // m/N: gap and slide under unit forces, the contact's own compliance with them
     double friction, cohesion;  // tan φ; N
+    double nn, ns, ss;          // m/N: gap and slide under unit forces, the contact's own compliance with them
     double by_det, by_ss, by_steep[2];  // reciprocals; of sliding either way, nought where it would wedge itself without bound
 
     ContactLaw() = default;
@@ -60,13 +60,14 @@ class SweepsOf : public Sweeping {
  private:
   using Column = ColumnOf<size>;
   using Matrix = MatrixOf<size>;
-  struct Link {
-    Column normal_i, normal_j, shear_i, shear_j;      // rows; zero for what does not move
-    Column moved_ni, moved_nj, moved_si, moved_sj;    // motion of the blocks under unit force
-    double nn, ns, ss;      // m/N: gap and slide under unit forces, without the contact's own compliance
-    double gap0, slide0;    // m
-    ContactLaw law;
+  struct Link {  // what an open contact asks for comes first
     int i, j;               // into blocks_; the last one stands for all that is held
+    double gap0, slide0;    // m
+    Column normal_i, normal_j;  // rows; zero for what does not move
+    ContactLaw law;
+    double nn, ns, ss;      // m/N: gap and slide under unit forces, without the contact's own compliance
+    Column shear_i, shear_j;
+    Column moved_ni, moved_nj, moved_si, moved_sj;    // motion of the blocks under unit force
     int with_begin, with_end;  // into with_
     int contact;
   };
