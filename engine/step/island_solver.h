@@ -1,6 +1,7 @@
 #pragma once
 // Solves the islands of a step one after the other: what rests is left, a block alone is a system of its own size,
 // the others are open–close's.
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -43,6 +44,7 @@ class IslandSolver {
   int first(int block) const { return islands_.of(block) < 0 ? -1 : islands_.first(islands_.of(block)); }
   // Of the last solve: a block's island; blocks that press where they were not expected to.
   Rest rest(int block) const { return islands_.of(block) < 0 ? Rest::moves : at_rest_[islands_.of(block)]; }
+  bool all_rest() const { return std::all_of(at_rest_.begin(), at_rest_.end(), [](Rest rest) { return rest == Rest::rests; }); }
   const std::vector<int>& missed() const { return missed_; }
 
  private:

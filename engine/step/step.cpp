@@ -150,6 +150,7 @@ StepReport Stepper::dynamic_step(double most) {
       bridge_booking->book(model_, ledger_);
       fracture_->weaken();
       report.failures = int(fracture_->events().size());
+      if (report.failures > 0) step_size_.broken(model_);
     }
     if (numerics.sleeping && report.failures == 0) sleep_.fall_asleep(model_, islands_, search_.near());
     ledger_.damping_work += damp(model_, kept);
@@ -179,7 +180,10 @@ void Stepper::restored() {
 void Stepper::rewound() {
   search_.forget();
   sleep_.restored();
-  if (fracture_) fracture_->restored();
+  if (fracture_) {
+    fracture_->restored();
+    step_size_.broken(model_);
+  }
   if (gas_) gas_->restored();
 }
 
@@ -194,6 +198,7 @@ int Stepper::initial_cracks() {
   fracture_->judge();
   const std::vector<int> due = fracture_->choose(false);
   fracture_->fail(due, model_.time);
+  step_size_.broken(model_);
   return int(due.size());
 }
 
@@ -315,9 +320,23 @@ void Stepper::count(const IslandResult& result) {
   if (model_.scene.numerics.sleeping) sum.asleep += sleep_.groups(model_);
 }
 
+// Whether nothing has moved in the step, and nothing did before it.
+bool Stepper::all_still() const {
+  if (!islands_.all_rest()) return false;
+  for (size_t b = 0; b < model_.shapes.size(); ++b) {
+    const auto& v = model_.blocks[b].velocity;
+    if (model_.shapes[b].dofs == 0 && std::any_of(v.begin(), v.end(), [](double rate) { return rate != 0; })) return false;
+  }
+  return true;
+}
+
 void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d) {
   PartTimer timer(totals_, "update");
   const bool motion = scheme.step_v > 0;
+  if (motion && all_still()) {  // nothing to book
+    ledger_.ahead = scheme.bond_ahead;
+    return;
+  }
   const ContactBooking booking(model_, ledger_.ahead, scheme.dt);
   if (motion)  // nothing of it is work
     for (size_t b = 0; b < moved.size(); ++b)

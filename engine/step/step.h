@@ -93,6 +93,7 @@ class Stepper {
   void assemble(const Scheme& scheme, bool stick);
   void keep_rest(std::vector<BlockState>& moved);
   void count(const IslandResult& result);
+  bool all_still() const;
   void accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d);
   [[noreturn]] void give_up(const OpenCloseResult& result, double dt) const;
   int culprit(const Equilibrium& search) const;  // the block that is named when there is no equilibrium

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fracture/cracks.h"
+
 namespace talus {
 
 namespace {
@@ -27,8 +29,14 @@ double first_step(const Model& model, double limit) {
   return std::min(speed > 0 ? limit / speed : infinity, g > 0 ? std::sqrt(2 * limit / g) : infinity);
 }
 
-// Twice area / perimeter: the inradius of a triangle, near half the thickness of a slab.
-double thinnest_block(const Model& model) {
+// Of the thinnest thing that another may pass through, twice area / perimeter: the inradius of a triangle, near half the thickness of a
+// slab. A block that intact bonds hold along most of its perimeter is as thick as the body it is part of.
+double thinnest_thing(const Model& model) {
+  const std::vector<int> body = find_fragments(model);
+  std::vector<double> bonded(model.shapes.size(), 0), area(model.shapes.size(), 0), outline(model.shapes.size(), 0);
+  for (const Joint& joint : model.joints)
+    if (joint.state == JointState::intact)
+      for (const int b : {joint.a, joint.b}) bonded[b] += joint.length;
   double least = std::numeric_limits<double>::infinity();
   for (size_t b = 0; b < model.shapes.size(); ++b) {
     const BlockShape& shape = model.shapes[b];
@@ -37,8 +45,12 @@ double thinnest_block(const Model& model) {
       perimeter += (model.reference_vertex[shape.vertex_begin + model.next_vertex(int(b), k)] -
                     model.reference_vertex[shape.vertex_begin + k])
                        .norm();
-    least = std::min(least, 2 * shape.area / perimeter);
+    if (2 * bonded[b] <= perimeter) least = std::min(least, 2 * shape.area / perimeter);
+    area[body[b]] += shape.area;
+    outline[body[b]] += std::max(0.0, perimeter - bonded[b]);
   }
+  for (size_t k = 0; k < area.size(); ++k)
+    if (outline[k] > 0) least = std::min(least, 2 * area[k] / outline[k]);
   return least;
 }
 
@@ -47,9 +59,9 @@ double thinnest_block(const Model& model) {
 StepSize::StepSize(const Model& model, bool contacts) : caution_(caution), worth_(most_effort), growth_(most_growth) {
   const TimeControl& time = model.scene.time;
   limit_ = time.displacement_ratio * model.extent;
-  thinnest_ = contacts ? thinnest_block(model) : std::numeric_limits<double>::infinity();
-  every_ = model.scene.output.every;
   automatic_ = time.dt == 0;
+  thinnest_ = contacts && !automatic_ ? thinnest_thing(model) : std::numeric_limits<double>::infinity();
+  every_ = model.scene.output.every;
   end_ = time.t_end;
   most_ = time.dt_max > 0 ? time.dt_max : automatic_ ? end_ / 10 : time.dt;
   dt_ = std::min(most_, automatic_ ? first_step(model, limit_) : time.dt);
@@ -61,6 +73,10 @@ void StepSize::among_cracks(double transit) {
   worth_ = most_effort_among_cracks;
   growth_ = growth_among_cracks;
   short_enough_ = transit;
+}
+
+void StepSize::broken(const Model& model) {
+  if (!automatic_) thinnest_ = thinnest_thing(model);
 }
 
 double StepSize::next(double time) const {

@@ -11,6 +11,7 @@ class StepSize {
   StepSize(const Model& model, bool contacts);
   // Bonds can fail. transit: s, a wave's way through a block; shorter steps are not easier to solve.
   void among_cracks(double transit);
+  void broken(const Model& model);  // bonds have failed
 
   double next(double time) const;  // s, never past t_end
   bool too_far(double displacement) const { return displacement > (automatic_ ? 2 * limit_ : thinnest_); }
