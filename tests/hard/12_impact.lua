@@ -33,3 +33,20 @@ for name, ball in pairs { flat = flat, corner = corner } do
     talus.check.below(label .. "largest energy over the first", most, 1 + 1e-6)
   end
 end
+
+-- The same of glued triangles, most of which are held all round: the bodies are what must not pass through each other.
+local glue = talus.joint { name = "glue", friction = 0.5 }
+for _, dt in ipairs { 1e-2, 1e-3, 1e-4 } do
+  local hit = talus.simulation {
+    contact = talus.joint { name = "contact", friction = 0.5 },
+    regions = { talus.region { name = "wall", outline = talus.rect(0, -0.5, 0.1, 0.5), material = rock, mesh = { size = 0.05 }, joint = glue },
+                talus.region { name = "ball", outline = flat, material = rock, mesh = { size = 0.03 }, joint = glue, velocity = {300, 0} } },
+    time = { mode = "dynamic", t_end = 3e-3, dt = dt },
+  }
+  hit:run()
+  local front, back = math.huge, -math.huge
+  for _, b in ipairs(hit.blocks) do
+    if b.region == "wall" then front = math.min(front, b.centroid[1]) else back = math.max(back, b.centroid[1]) end
+  end
+  talus.check.above(string.format("impact of glued triangles, dt %g s: the ball is behind, m", dt), front - back, 0)
+end
