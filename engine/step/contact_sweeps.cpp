@@ -130,6 +130,11 @@ void SweepsOf<size>::find_patches() {
 }
 
 template <int size>
+bool SweepsOf<size>::bonded() const {
+  return 2 * size_t(std::count_if(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.tied; })) > patches_.size();
+}
+
+template <int size>
 void SweepsOf<size>::add_link(const ContactRows& row, int contact, const std::vector<int>& place) {
   const int held = int(blocks_.size());
   Link& link = contacts_.emplace_back();

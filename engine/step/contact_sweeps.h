@@ -56,6 +56,7 @@ class SweepsOf : public Sweeping {
  public:
   void start(const ContactProblem& problem);
   Progress run(int most, double enough, int worth, Carry carry, std::vector<double>& normal, std::vector<double>& shear, Vector& d);
+  bool bonded() const;
 
  private:
   using Column = ColumnOf<size>;
@@ -125,6 +126,9 @@ class ContactSweeps : public Sweeping {
     return second_order_ ? second_.run(most, enough, worth, carry, normal, shear, d)
                          : first_.run(most, enough, worth, carry, normal, shear, d);
   }
+
+  // Whether most patches hang together with others: then sweeps are slow, and dear.
+  bool bonded() const { return second_order_ ? second_.bonded() : first_.bonded(); }
 
  private:
   bool second_order_ = false;  // some block is
