@@ -1,5 +1,7 @@
 #include "step/energies.h"
 
+#include <algorithm>
+
 #include "equations/block_terms.h"
 #include "equations/bridge_terms.h"
 
@@ -24,9 +26,9 @@ double kinetic_energy(const Model& model, double ahead) {
 
 double kinetic_energy(const Model& model, int b, double ahead) {
   const BlockShape& shape = model.shapes[b];
-  if (shape.dofs == 0) return 0;
   const BlockState& state = model.blocks[b];
   const auto& v = state.velocity;
+  if (shape.dofs == 0 || std::all_of(v.begin(), v.end(), [](double rate) { return rate == 0; })) return 0;
   const double at_reference = with_size(shape.second_order(), [&](auto n) {
     const auto rates = Eigen::Map<const ColumnOf<n>>(v.data());
     return rates.dot(mass_matrix_of<n>(model, b) * rates) / 2;
