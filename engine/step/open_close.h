@@ -2,9 +2,9 @@
 // The contact solution of a step: which contacts are open, which stick, which slip, and the unknowns that go with
 // it. Motion is solved by sweeps over contact forces with Newton's steps between them, and by a splitting where these
 // do not get on; equilibrium by Newton's steps on the coupled Coulomb law where states have settled, else on the convex
-// potential of springs and of friction at a frozen normal force (docs/theory.md, § 6). A solution is accepted only when
-// the residual of the coupled law, friction at the present normal force, is below its tolerance in every block: not when
-// the states have stopped flipping.
+// potential of springs and of friction at a frozen normal force, and by the splitting where a few of them do not do
+// (docs/theory.md, § 6 and 7). A solution is accepted only when the residual of the coupled law, friction at the present
+// normal force, is below its tolerance in every block: not when the states have stopped flipping.
 #include <algorithm>
 #include <limits>
 
