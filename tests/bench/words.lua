@@ -36,7 +36,7 @@ words.wall = { title = "Wall at rest", what = [[A running-bond wall put down at 
 their own compression. Box2D keeps a skin round its polygons (1 cm): bricks that touch at the start are pushed apart, which is what its error shows; more iterations
 do not change it. It is made for other ends. Walls of three sizes are on one picture: the front is of no meaning between them.]],
   advice = [[Where centimetres do not matter and nothing but looks does, Box2D is twelve to twenty times faster. Otherwise rigid bricks; deformable ones at twice the cost. Sleeping gains little in a second that begins with
-settling. At 10 × 10 `solver = "factor"` is four times faster than what auto chooses, `"sweeps"` eight times slower.]] }
+settling. At 10 × 10 `solver = "factor"` takes two thirds of what auto takes, `"sweeps"` 35 times as much.]] }
 words.spinner = { title = "Spinning disc", what = [[A free disc of bonded blocks, two turns at 50 rad/s; stress at its centre, mean over the second turn, against the centrifugal one. Axes: order, size, steps a turn, θ.]],
   advice = [[First-order blocks of h = 0.4 and 200 steps a turn for 0.3 %; 50 steps are too few. The outline is a polygon of 64 sides, whose area is 0.16 % less than
 the circle's, and so is the stress, about: below that the errors say nothing. θ = 0.5 is not for turning bodies: the disc flies apart (not on the picture; theory, § 2, says why).]] }
@@ -60,7 +60,7 @@ halving the steps buys nothing beside that.]],
   end } }
 words.dda = { title = "Walls, beside a DDA program of Shi's kind", what = [[CPU a step of 2 ms; bricks of 1 GPa on fixed contact stiffness, from rest. The other column is **not of this machine and not of this run**: measured once
 for a program in C (block LDLᵀ with minimum degree renewed each step, one thread, 2026); it is not scaled, as the kernel's time on that machine is not known. That program takes a step when states no longer flip, Talus when
-the residual of the coupled law is below 1e-8. Talus is the slower one: five times at 106 blocks, 1.7 times at 1021.]],
+the residual of the coupled law is below 1e-8. Talus is the slower one: four times at 106 blocks, 1.3 times at 1021.]],
   measured = { ["10x10"] = 0.00092, ["20x20"] = 0.0117, ["25x40"] = 0.056 } }
 words.threads = [[Cantilever of 5290 second-order blocks. Threads are of the linear solver alone; user seconds of all threads together:]]
 
