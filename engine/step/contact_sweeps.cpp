@@ -11,7 +11,6 @@ namespace {
 
 // Pairs of sweeps after which a restart of the momentum by growth of the change is allowed: it takes a few to build up.
 constexpr int least_run = 5;
-constexpr int pairs_to_rebuild = 20;  // motions carried on with the forces gather rounding
 // Blocks. The larger the patches the fewer the sweeps; a patch costs the cube of its unknowns.
 constexpr size_t most_in_patch = 6;
 
@@ -262,20 +261,16 @@ typename SweepsOf<size>::Change SweepsOf<size>::change(const State& from, const 
   return sum;
 }
 
-// Forces go on along their change since `last`, and the motions, which are linear in them, with them; what is cut to Coulomb's cone
-// is put right.
+// Forces go on along their change since `last`. Motions are added up anew: carried on with them they gather rounding, which stiff rigid
+// walls answer with twice the sweeps.
 template <int size>
 void SweepsOf<size>::carry_on(const State& last, double momentum) {
-  for (size_t l = 0; l < bond_.size(); ++l) {
-    bond_[l] += momentum * (bond_[l] - last.bond[l]);
-    motion_[l] += momentum * (motion_[l] - last.motion[l]);
-  }
+  for (size_t l = 0; l < bond_.size(); ++l) bond_[l] += momentum * (bond_[l] - last.bond[l]);
   for (size_t k = 0; k < forces_.size(); ++k) {
-    Forces& now = forces_[k];
-    const Forces free{now.n + momentum * (now.n - last.forces[k].n), now.t + momentum * (now.t - last.forces[k].t)};
-    now = contacts_[k].law.carried(free);
-    if (now.n != free.n || now.t != free.t) move(contacts_[k], now.n - free.n, now.t - free.t);
+    const Forces now = forces_[k], before = last.forces[k];
+    forces_[k] = contacts_[k].law.carried({now.n + momentum * (now.n - before.n), now.t + momentum * (now.t - before.t)});
   }
+  rebuild();
 }
 
 template <int size>
@@ -316,7 +311,7 @@ Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry
     for (const Tie& tie : ties_[l]) bond_[l] -= tie.k * motion_[tie.other];
   }
   rebuild();
-  State from, last{forces_, bond_, motion_};  // before the present pair; after the one before it
+  State from, last{forces_, bond_};  // before the present pair; after the one before it
   Progress progress;
   Mixing mixing;
   double theta = 1, before = 0;
@@ -351,11 +346,9 @@ Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry
       since = 0;
     }
     before = now.change;
-    if (progress.pairs % pairs_to_rebuild == 0) rebuild();
     State& reached = from;
     reached.forces = forces_;
     reached.bond = bond_;
-    reached.motion = motion_;
     if (momentum > 0) carry_on(last, momentum);
     std::swap(reached, last);
   }

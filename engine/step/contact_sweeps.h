@@ -87,7 +87,7 @@ class SweepsOf : public Sweeping {
   };
   struct State {
     std::vector<Forces> forces;
-    std::vector<Column> bond, motion;
+    std::vector<Column> bond;
   };
   void find_patches();
   void add_link(const ContactRows& row, int contact, const std::vector<int>& place);
