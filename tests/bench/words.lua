@@ -36,7 +36,7 @@ words.wall = { title = "Wall at rest", what = [[A running-bond wall put down at 
 their own compression. Box2D keeps a skin round its polygons (1 cm): bricks that touch at the start are pushed apart, which is what its error shows; more iterations
 do not change it. It is made for other ends. Walls of three sizes are on one picture: the front is of no meaning between them.]],
   advice = [[Where centimetres do not matter and nothing but looks does, Box2D is twelve to twenty times faster. Otherwise rigid bricks; deformable ones at twice the cost. Sleeping gains little in a second that begins with
-settling. At 10 × 10 `solver = "factor"` takes two thirds of what auto takes, `"sweeps"` 35 times as much.]] }
+settling. At 10 × 10 `solver = "factor"` takes two thirds of what auto takes, `"sweeps"` alone ten times as much and more.]] }
 words.spinner = { title = "Spinning disc", what = [[A free disc of bonded blocks, two turns at 50 rad/s; stress at its centre, mean over the second turn, against the centrifugal one. Axes: order, size, steps a turn, θ.]],
   advice = [[First-order blocks of h = 0.4 and 200 steps a turn for 0.3 %; 50 steps are too few. The outline is a polygon of 64 sides, whose area is 0.16 % less than
 the circle's, and so is the stress, about: below that the errors say nothing. θ = 0.5 is not for turning bodies: the disc flies apart (not on the picture; theory, § 2, says why).]] }
