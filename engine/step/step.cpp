@@ -19,7 +19,7 @@ namespace talus {
 
 namespace {
 
-constexpr double most_solve_effort = 12;  // factors, among cracks: three times what keeps a step from growing
+constexpr double most_solve_effort = 24;  // factors, among cracks: three times what keeps a step from growing
 
 // What an attempt at a step changes before it is known to succeed; put back unless keep() is called.
 class Attempt {

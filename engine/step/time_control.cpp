@@ -16,7 +16,7 @@ constexpr int caution_among_cracks = 5;  // where contacts come and go with ever
 constexpr double careful_growth = 1.05, most_growth = 1.5, growth_among_cracks = 1.25;
 // Effort of a step, in factors, from which on a longer one does not pay. Among cracks two short steps are cheaper than one
 // that states have to be looked for in.
-constexpr double most_effort = 12, most_effort_among_cracks = 4;
+constexpr double most_effort = 12, most_effort_among_cracks = 8;
 
 // First step: what gravity and the initial velocities move by the limit.
 double first_step(const Model& model, double limit) {
