@@ -1,5 +1,7 @@
 #include "equations/linear_solver.h"
 
+#include "equations/coarse_factor.h"
+
 #include <cholmod.h>
 #include <dlfcn.h>
 #include <omp.h>
@@ -83,6 +85,8 @@ struct LinearSolver::Cholmod {
   cholmod_factor* factor = nullptr;
   cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;
   bool good = false;
+  CoarseFactor coarse;
+  enum class Coarse { untried, serves, fails } coarse_state = Coarse::untried;
 
   Cholmod() {
     cholmod().start(&common);
@@ -120,6 +124,17 @@ struct LinearSolver::Cholmod {
     a.sorted = 1;
     a.packed = 1;
     return a;
+  }
+
+  SupernodalFactor supernodes() const {
+    const auto ints = [](const void* from, size_t count) { return std::span(static_cast<const int*>(from), count); };
+    const cholmod_factor& l = *factor;
+    return {ints(l.Perm, l.n),
+            ints(l.super, l.nsuper + 1),
+            ints(l.pi, l.nsuper + 1),
+            ints(l.px, l.nsuper + 1),
+            ints(l.s, l.ssize),
+            std::span(static_cast<const double*>(l.x), l.xsize)};
   }
 
   // Approximate minimum degree of the graph of blocks, spread out to unknowns: 3–4 times cheaper than on the
@@ -180,6 +195,7 @@ int LinearSolver::factor(const BlockMatrix& matrix) {
   cholmod().factorize(&a, cholmod_->factor, &cholmod_->common);
   if (cholmod_->common.status < 0) throw std::bad_alloc();
   cholmod_->good = cholmod_->common.status == CHOLMOD_OK;
+  cholmod_->coarse_state = Cholmod::Coarse::untried;
   if (cholmod_->good) return -1;
   const int column = static_cast<int*>(cholmod_->factor->Perm)[cholmod_->factor->minor];
   return matrix.block_of_unknown(column);
@@ -199,6 +215,19 @@ void LinearSolver::solve(const Vector& b, Vector& x) {
   cholmod().solve2(CHOLMOD_A, cholmod_->factor, &rhs, nullptr, &cholmod_->x, nullptr, &cholmod_->y, &cholmod_->e,
                  &cholmod_->common);
   x = Eigen::Map<const Vector>(static_cast<const double*>(cholmod_->x->x), b.size());
+}
+
+void LinearSolver::solve_coarsely(const Vector& b, Vector& x) {
+  constexpr double allowed = 1e-4;  // of x
+  auto& state = cholmod_->coarse_state;
+  if (state == Cholmod::Coarse::serves) return cholmod_->coarse.solve(b, x);
+  solve(b, x);
+  if (b.size() == 0 || state == Cholmod::Coarse::fails) return;
+  Vector coarse;
+  state = Cholmod::Coarse::fails;
+  if (!cholmod_->coarse.take(cholmod_->supernodes())) return;
+  cholmod_->coarse.solve(b, coarse);
+  if ((coarse - x).norm() <= allowed * x.norm()) state = Cholmod::Coarse::serves;
 }
 
 }  // namespace talus

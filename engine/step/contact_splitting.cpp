@@ -83,7 +83,14 @@ ContactSplitting::Progress ContactSplitting::run(ContactProblem& problem, bool r
   int unchanged = 0;
   while (progress.iterations < most && !progress.settled) {
     const int changed = answer(problem, contacts, force_);
-    problem.solver.solve(force_, d);
+    if (progress.iterations == 0) {
+      problem.solver.solve(force_, d);
+    } else {
+      solved_ -= force_;
+      problem.solver.solve_coarsely(solved_, change_);
+      d -= change_;
+    }
+    solved_ = force_;
     ask(problem, contacts, d, next_);
     next_ -= asked_;
     progress.change = next_.norm();

@@ -37,7 +37,7 @@ class ContactSplitting {
 
   std::vector<Springs> springs_;
   // What a copy is asked with, N: its force, less (of slides: plus) what its spring gives for the contact's gap. Normal parts, then shear.
-  Vector asked_, next_, force_;
+  Vector asked_, next_, force_, solved_, change_;
 };
 
 }  // namespace talus

@@ -129,7 +129,7 @@ void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>
   const auto apply = [&](const Vector& from, Vector& to) {
     force.setZero(r.size());
     for (Eigen::Index k = 0; k < count; ++k) changes[size_t(k)].add_force(from[k], force);
-    problem.solver.solve(force, x);
+    problem.solver.solve_coarsely(force, x);
     motions(x, to);
     to += from;
   };
