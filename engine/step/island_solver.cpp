@@ -3,10 +3,19 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 
 namespace talus {
+
+namespace {
+
+// Solutions in a row, of which all but the first are looked for by the splitting without trying Newton's steps before it: a wall
+// of 1600 bricks, 1 s from zero gaps, takes 5.3 s of CPU instead of 8.1.
+constexpr int splits_in_a_row = 8;
+
+}  // namespace
 
 struct IslandSolver::Step {
   const Model& model;
@@ -48,7 +57,10 @@ IslandResult IslandSolver::solve(const Model& model, const System& system, const
     }
   }
   if (result.converged) watch(step, d, result);
-  if (result.converged) std::erase_if(kept_, [this](const auto& entry) { return entry.second->solve != solve_; });
+  if (result.converged) {
+    std::erase_if(kept_, [this](const auto& entry) { return entry.second->solve != solve_; });
+    std::erase_if(standing_, [this](const Standing& standing) { return standing.solve != solve_ || standing.splits == 0; });
+  }
   return result;
 }
 
@@ -105,6 +117,17 @@ bool IslandSolver::solve_single(const Step& step, int island, IslandResult& resu
   return true;
 }
 
+IslandSolver::Standing& IslandSolver::standing_of(int first, const ContactProblem& problem) {
+  std::int64_t touching = std::int64_t(problem.blocks.size());
+  for (const auto& [column, row] : problem.system.matrix.pairs())  // FNV-1a
+    for (const int block : {column, row}) touching = std::int64_t((std::uint64_t(touching) ^ std::uint64_t(block)) * 0x100000001b3U);
+  auto found = std::find_if(standing_.begin(), standing_.end(), [&](const Standing& standing) { return standing.first == first; });
+  if (found == standing_.end()) found = standing_.insert(found, Standing{.first = first});
+  if (found->touching != touching) *found = {.first = first, .touching = touching};
+  found->solve = solve_;
+  return *found;
+}
+
 void IslandSolver::solve_together(const Step& step, int island, IslandResult& result, Vector& d) {
   auto& kept = kept_[islands_.first(island)];
   if (!kept) kept = std::make_unique<Kept>();
@@ -120,7 +143,11 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
           step.start.segment(step.model.shapes[problem.blocks[l]].dof_begin, problem.dofs[l]);
   }
   const long before = problem.solver.factorisations;
-  OpenCloseResult own = open_close_.solve(problem, step.settings, own_d);
+  OpenCloseSettings settings = step.settings;
+  Standing& standing = standing_of(islands_.first(island), problem);
+  settings.split = standing.splits % splits_in_a_row > 0;
+  OpenCloseResult own = open_close_.solve(problem, settings, own_d);
+  standing.splits = own.split ? standing.splits + 1 : 0;
   if (!own_d.allFinite()) own.converged = false;
   for (size_t l = 0; l < problem.blocks.size(); ++l)
     d.segment(step.model.shapes[problem.blocks[l]].dof_begin, problem.dofs[l]) =

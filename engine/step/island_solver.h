@@ -2,6 +2,7 @@
 // Solves the islands of a step one after the other: what rests is left, a block alone is a system of its own size,
 // the others are open–close's.
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <memory>
 
@@ -46,12 +47,29 @@ class IslandSolver {
   Rest rest(int block) const { return islands_.of(block) < 0 ? Rest::moves : at_rest_[islands_.of(block)]; }
   bool all_rest() const { return std::all_of(at_rest_.begin(), at_rest_.end(), [](Rest rest) { return rest == Rest::rests; }); }
   const std::vector<int>& missed() const { return missed_; }
+  template <class Visitor>
+  void visit_state(Visitor& visitor) {
+    visitor.growing("standing", standing_);
+  }
 
  private:
   struct Step;  // what solve() was called with
   Rest judge_rest(const Step& step, int island);
   bool solve_single(const Step& step, int island, IslandResult& result, Vector& d);
   void solve_together(const Step& step, int island, IslandResult& result, Vector& d);
+  struct Standing {  // what is known of an island of which the same blocks touch as the last time
+    int first = 0;
+    std::int64_t touching = 0;  // a hash of which do
+    int splits = 0;             // solutions, one after the other, that only the splitting found
+    long solve = 0;             // the last it took part in; not state: what is left after a step was in it
+    template <class Visitor>
+    void visit_state(Visitor& visitor) {
+      visitor("first", first);
+      visitor("touching", touching);
+      visitor("splits", splits);
+    }
+  };
+  Standing& standing_of(int first, const ContactProblem& problem);
   void watch(const Step& step, const Vector& d, IslandResult& result);
 
   Islands islands_;
@@ -66,6 +84,7 @@ class IslandSolver {
   };
   std::map<int, std::unique_ptr<Kept>>
       kept_;  // by an island's first block: patterns and orders last for many steps
+  std::vector<Standing> standing_;
   long solve_ = 0;
 };
 

@@ -92,7 +92,7 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
     if (!result.converged && result.sweep_change < least.change) least = {result.sweep_change, normal_, shear_, d};
   };
   keep_least();
-  bool halved = true;
+  bool halved = !settings.split;
   while (halved && !result.converged && !missed_ && result.iterations < settings.max_iterations &&
          result.effort() < settings.most_effort) {
     const double before = result.sweep_change;
@@ -117,6 +117,7 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
     d = least.d;
     take_states(problem);
     solve_by_splitting(problem, settings, d, result);
+    result.split = result.converged;
   }
   result.missed = !result.converged && missed_;
 }

@@ -24,6 +24,7 @@ struct OpenCloseResult {
   int sweeps = 0;
   int splittings = 0;  // iterations
   double effort() const { return iterations + sweep_effort * sweeps + splitting_effort * splittings; }  // factors
+  bool split = false;       // the splitting found it
   double sweep_change = 0;  // N, of the forces in the last pair
   double residual = 0;      // largest over blocks, of force scale
   int worst_block = -1;
@@ -38,6 +39,7 @@ struct OpenCloseSettings {
   ContactSolver solver = ContactSolver::automatic;
   // Factors, with sweeps at their part of one, after which motion gives up: a shorter step is cheaper.
   double most_effort = std::numeric_limits<double>::infinity();
+  bool split = false;  // the splitting at once where the first sweeps do not do
 };
 
 class OpenClose {

@@ -167,6 +167,7 @@ void Stepper::visit_state(StateVisitor& visitor) {
   visitor("step_size", step_size_);
   visitor("contact_search", search_);
   visitor("sleep", sleep_);
+  visitor("islands", islands_);
   visitor("short_increments", short_increments_);
   if (gas_) visitor("gas", *gas_);
 }
