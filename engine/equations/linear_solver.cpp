@@ -1,7 +1,5 @@
 #include "equations/linear_solver.h"
 
-#include "equations/coarse_factor.h"
-
 #include <cholmod.h>
 #include <dlfcn.h>
 #include <omp.h>
@@ -11,6 +9,8 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+
+#include "equations/coarse_factor.h"
 
 namespace talus {
 
@@ -222,7 +222,7 @@ void LinearSolver::solve_coarsely(const Vector& b, Vector& x) {
   auto& state = cholmod_->coarse_state;
   if (state == Cholmod::Coarse::serves) return cholmod_->coarse.solve(b, x);
   solve(b, x);
-  if (b.size() == 0 || state == Cholmod::Coarse::fails) return;
+  if (b.isZero(0) || state == Cholmod::Coarse::fails) return;
   Vector coarse;
   state = Cholmod::Coarse::fails;
   if (!cholmod_->coarse.take(cholmod_->supernodes())) return;

@@ -155,6 +155,58 @@ TEST(LinearSolver, TheOrderServesNewValues) {
   EXPECT_EQ(solver.factorisations, 3);
 }
 
+// Single precision: 6e-8 of each number, times the condition number. The size of the numbers is nothing to it.
+TEST(LinearSolver, SolvesCoarselyAfterTheFirst) {
+  for (int blocks : {1, 7, 60, 300})
+    for (const double unit : {1e-9, 1.0, 1e12}) {
+      RandomSystem s(blocks, 3);
+      if (s.dense.rows() == 0) continue;
+      for (double& value : s.matrix.values) value *= unit;
+      LinearSolver solver;
+      solver.analyse(s.matrix);
+      ASSERT_EQ(solver.factor(s.matrix), -1);
+      Vector x;
+      double off = 0;
+      for (int k = 0; k < 4; ++k) {
+        const Vector b = s.vector(), expected = s.dense.llt().solve(b) / unit;
+        solver.solve_coarsely(b, x);
+        if (k == 0) {
+          EXPECT_LT((x - expected).norm(), 1e-10 * expected.norm());
+        }
+        off = std::max(off, (x - expected).norm() / expected.norm());
+      }
+      EXPECT_LT(off, 1e-4) << blocks << " blocks, times " << unit;
+      EXPECT_GT(off, 1e-10) << "not in single precision";
+      solver.solve_coarsely(Vector::Zero(s.dense.rows()), x);
+      EXPECT_EQ(x, Vector::Zero(s.dense.rows()));
+    }
+}
+
+// Where single precision has no digit left, and where its range ends, all solves are exact.
+TEST(LinearSolver, SolvesNotCoarselyWhatThatSpoils) {
+  RandomSystem random(2, 1);
+  const Dense u = random.matrix_of(12, 12).householderQr().householderQ();  // with stiffnesses of 1 to spread along its columns
+  const Vector solution = random.matrix_of(12, 1);
+  for (const auto& [spread, unit] : {std::pair{1e12, 1.0}, {1.0, 1e40}, {1.0, 1e-40}}) {
+    const Vector stiffness = Vector::LinSpaced(12, 0, std::log(spread)).array().exp() * unit;
+    const Dense all = u * stiffness.asDiagonal() * u.transpose();
+    const Vector b = all * solution;  // mostly of what is stiff: its rounding goes into what is soft
+    BlockMatrix matrix;
+    matrix.set_pattern({6, 6}, {{0, 1}});
+    for (int block : {0, 1}) matrix.add(matrix.slot(block, block), false, all.block(6 * block, 6 * block, 6, 6));
+    matrix.add(matrix.slot(1, 0), false, all.block(6, 0, 6, 6));
+    LinearSolver solver;
+    solver.analyse(matrix);
+    ASSERT_EQ(solver.factor(matrix), -1);
+    Vector exact, x;
+    solver.solve(b, exact);
+    for (int k = 0; k < 3; ++k) {
+      solver.solve_coarsely(b, x);
+      EXPECT_EQ(x, exact) << "spread " << spread << ", times " << unit;
+    }
+  }
+}
+
 // Whatever comes before it in the order has a factor; its own pivots have none.
 TEST(LinearSolver, NamesTheBlockThatIsNotHeld) {
   for (int block = 0; block < 30; ++block) {
