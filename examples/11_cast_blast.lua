@@ -24,11 +24,13 @@ local short = talus.param("short", false, "the first moments on a coarse mesh, a
 local t_end = talus.param("t_end", short and 3e-4 or 3.62, "end of the run, s")
 local near = talus.param("near", short and 0.09 or 0.05, "size of blocks at the hole, m")
 local far = talus.param("far", short and 0.8 or 0.29, "size of blocks far from it, m")
+local seed = talus.param("seed", 0, "of strengths that scatter by a tenth (Weibull, modulus 12); 0: all alike")
 
 local burden, L = 3.0, 2.0
 local rock = talus.material { name = "rock", density = 2600, young = 55*u.GPa, poisson = 0.3, plane = "strain" }
 local joint = talus.joint { name = "artificial", friction = 45*u.deg, cohesion = 2*u.MPa, tension = 0.5*u.MPa,
-                            residual = { cohesion = 0.05*u.MPa } }
+                            residual = { cohesion = 0.05*u.MPa },
+                            scatter = seed > 0 and talus.laws.weibull { modulus = 12, seed = seed } or nil }
 local faces = talus.joint { name = "faces", friction = 45*u.deg }
 
 local sim = talus.simulation {
@@ -69,10 +71,22 @@ local sizes = talus.blast.fragmentation(sim, { regions = {"bench"}, file = "size
 print(string.format("%d bonds failed, %d fragments, x50 %.2f m; gas %.3g MJ/m, of it friction %.3g, damping %.3g, boundary %.3g",
   sim.totals.failures, sizes.count, sizes.x50, energy.gas/1e6, energy.friction/1e6, (energy.damping or 0)/1e6, energy.viscous/1e6))
 print(string.format("highest rise %.1f m at %.2f s (paper: 0.74 s)", sim.highest.rise, sim.highest.time))
+if vented then
+  talus.result("vented_at", 1e3*vented.time, "ms")
+  talus.result("vented_volume", vented.volume, "m3/m")
+end
+talus.result("fragments", sizes.count)
+talus.result("x50", sizes.x50, "m")
 if sim.time > 0.5 then
   local pile = talus.blast.pile(sim, { regions = {"bench"}, moved = 0.1, ground = 5, file = "profile" })
   print(string.format("centroid of what moved by (%.2f, %.2f) m; mean speed now %.3g m/s", pile.shift[1], pile.shift[2],
     math.sqrt(2*energy.kinetic/(rock.density*pile.solid))))
+  talus.result("shift_x", pile.shift[1], "m")
+  talus.result("shift_y", pile.shift[2], "m")
+  talus.result("moved", pile.solid/(15*5), "of the bench, by 0.1 m")
+  talus.result("rise", sim.highest.rise, "m")
+  talus.result("rise_at", sim.highest.time, "s")
+  talus.result("speed", math.sqrt(2*energy.kinetic/(rock.density*pile.solid)), "m/s")
 end
 talus.check.near("P V^1.4 at the last pressure", vented and vented.pressure*(vented.volume/charge.first_volume)^1.4
   or charge.pressure*(charge.volume/charge.first_volume)^1.4, 1*u.GPa, { rel = 1e-10 })

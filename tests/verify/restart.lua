@@ -116,3 +116,31 @@ for i, block in ipairs(forwards.blocks) do
 end
 check.above("numbered backwards: closed contacts", forwards.last.closed_contacts, 5)
 check.below("numbered backwards: difference of places, m", difference, 1e-10)
+
+-- Walls under sudden gravity: what the last solution needed tells where the next one begins, and is part of the state.
+local function wall()
+  local brick = talus.material { name = "brick", density = 2500, young = 1*u.GPa, poisson = 0.25 }
+  return talus.simulation {
+    gravity = {0, -9.81}, contact = talus.joint { name = "bed", friction = math.atan(0.6) },
+    regions = { talus.region { name = "slab", outline = talus.rect(-2, -1, 23, 0), material = brick, held = true },
+                talus.region { name = "wall", material = brick,
+                               blocks = talus.running_bond { at = {0, 0}, courses = 20, per_course = 20, length = 1, height = 0.5 } } },
+    time = { t_end = 1, dt = 0.05, start = "rest" },
+  }
+end
+local function run(sim, count)
+  for _ = 1, count do sim:step() end
+  return sim:hash()
+end
+for saved = 2, 5 do
+  local whole, part = wall(), wall()
+  run(whole, saved)
+  local before = whole.totals.splittings
+  local ended = run(whole, 3)
+  check.above(("wall: iterations of the splitting after step %d"):format(saved), whole.totals.splittings - before, 0)
+  run(part, saved)
+  part:save(file)
+  local other = wall()
+  other:restore(file)
+  check.equal(("wall: from step %d on, from the file"):format(saved), run(other, 3), ended)
+end
