@@ -133,7 +133,7 @@ void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>
     motions(x, to);
     to += from;
   };
-  problem.solver.solve(r, x);
+  problem.solver.solve_coarsely(r, x);
   motions(x, right);
   gmres(apply, right, coarse, most_products, y);
   force = r;
