@@ -57,10 +57,10 @@ class IslandSolver {
   Rest judge_rest(const Step& step, int island);
   bool solve_single(const Step& step, int island, IslandResult& result, Vector& d);
   void solve_together(const Step& step, int island, IslandResult& result, Vector& d);
-  struct Standing {  // what is known of an island of which the same blocks touch as the last time
+  struct Standing {  // of an island that only the splitting solved
     int first = 0;
-    std::int64_t touching = 0;  // a hash of which do
-    int splits = 0;             // solutions, one after the other, that only the splitting found
+    std::int64_t touching = 0;  // a hash of which blocks do
+    int splits = 0;             // times, one after the other, with the same blocks touching
     long solve = 0;             // the last it took part in; not state: what is left after a step was in it
     template <class Visitor>
     void visit_state(Visitor& visitor) {
@@ -69,7 +69,7 @@ class IslandSolver {
       visitor("splits", splits);
     }
   };
-  Standing& standing_of(int first, const ContactProblem& problem);
+  Standing standing_of(int first, const ContactProblem& problem) const;
   void watch(const Step& step, const Vector& d, IslandResult& result);
 
   Islands islands_;
