@@ -39,6 +39,8 @@ void carry(const Contact& from, Contact& to) {
   to.offset = from.offset;
   to.normal_force = from.normal_force;
   to.shear_force = from.shear_force;
+  to.load_shear = from.load_shear;
+  to.load_slip = from.load_slip;
 }
 
 // A loaded contact that ended where `c` begins: the same vertex on another edge, or the same two blocks with
@@ -75,7 +77,7 @@ void take_over(const Model& model, Contact& c) {
   const BondTraction bond = mean_traction(model.joints[c.joint]), t = taken_over(bond, model.contact_strength(c));
   if (t.normal >= 0) return;
   c.normal_force = -t.normal * c.length;
-  c.shear_force = t.shear * c.length;
+  c.shear_force = c.load_shear = t.shear * c.length;
   c.stretch = c.shear_force / c.shear_stiffness;
   c.offset = -c.gap - c.normal_force / c.normal_stiffness;
   c.state = t.shear == bond.shear ? ContactState::stick : ContactState::slip;

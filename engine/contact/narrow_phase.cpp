@@ -81,7 +81,7 @@ class Pair {
     const double shared = corner ? 0 : shared_length(block_v, v, edge(block_e, e));
     c.kind = corner ? ContactKind::angle_angle : shared > 0 ? ContactKind::edge_edge : ContactKind::angle_edge;
     c.joint = corner ? -1 : joint_between(block_v, v, c.global_edge);
-    c.property = c.joint >= 0 ? model_.joints[c.joint].property : model_.contact_property(block_v, block_e);
+    c.property = property_of(c);
     c.length = shared / 2;  // an edge–edge contact has two such pairs
     const JointProperty& property = model_.scene.properties[c.property];
     if (property.stiffness_kind == StiffnessKind::per_contact) {
@@ -138,6 +138,13 @@ class Pair {
   }
 
  private:
+  // The face of a trace keeps its property where blocks of its region slide on, past those that lay against it at first.
+  int property_of(const Contact& c) const {
+    if (c.joint >= 0) return model_.joints[c.joint].property;
+    const int face = surface_.joint[c.global_edge];
+    const bool traced = face >= 0 && model_.joints[face].trace >= 0 && model_.shapes[c.i].region == model_.shapes[c.j].region;
+    return traced ? model_.joints[face].property : model_.contact_property(c.i, c.j);
+  }
   // The open joint one face of which is the edge at `face` and the other ends in corner `v` of `block`, or -1.
   int joint_between(int block, int v, int face) const {
     const int j = surface_.joint[face];

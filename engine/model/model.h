@@ -172,6 +172,7 @@ struct Contact {
   double stretch = 0;                 // m, elastic part of the sliding: shear force / shear stiffness
   double slip = 0;                    // m, plastic part, accumulated along the edge
   double normal_force = 0, shear_force = 0;  // N; normal positive when pressed together
+  double load_shear = 0, load_slip = 0;  // N, m: of a static run, at the end of the last load step
   std::int64_t key() const { return (std::int64_t(global_vertex) << 32) | std::uint32_t(global_edge); }
   int global_vertex = 0, global_edge = 0;  // indices into Model::vertex
 };

@@ -159,7 +159,7 @@ void visit_state(Strength& strength, StateVisitor& v) {
 
 void visit_state(Contact& contact, StateVisitor& v) {
   auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset,
-         stretch, slip, normal_force, shear_force, global_vertex, global_edge] = contact;
+         stretch, slip, normal_force, shear_force, load_shear, load_slip, global_vertex, global_edge] = contact;
   v("i", i);
   v("vertex", vertex);
   v("j", j);
@@ -177,6 +177,8 @@ void visit_state(Contact& contact, StateVisitor& v) {
   v("slip", slip);
   v("normal_force", normal_force);
   v("shear_force", shear_force);
+  v("load_shear", load_shear);
+  v("load_slip", load_slip);
   v("global_vertex", global_vertex);
   v("global_edge", global_edge);
 }

@@ -154,10 +154,10 @@ std::vector<Segment> gas_lines(const Placement& placement) {
 }
 
 // Between the two faces; none where these have parted by more than half their length: it would stand in the air.
-std::vector<Segment> failed_lines(const Placement& placement, FailureMode mode) {
+std::vector<Segment> open_lines(const Placement& placement, FailureMode mode) {
   std::vector<Segment> lines;
   for (const Joint& joint : placement.model().joints) {
-    if (joint.mode != mode) continue;
+    if (joint.state == JointState::intact || joint.mode != mode) continue;
     Segment line, apart;
     for (int k = 0; k < 2; ++k) {
       const Vec2 a = placement.place(joint.a, joint.in_a[k]), b = placement.place(joint.b, joint.in_b[k]);

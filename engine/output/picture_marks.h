@@ -37,11 +37,12 @@ struct Arrow {
 std::vector<Arrow> load_arrows(const Placement& placement, double px_per_metre);
 Vec2 far_end(const Arrow& arrow);  // px from the loaded point, y down
 
-constexpr const char *tension_crack_colour = "#000000", *shear_crack_colour = "#d6008a";
+constexpr const char *tension_crack_colour = "#000000", *shear_crack_colour = "#d6008a", *real_joint_colour = "#7a5c3a";
+constexpr double real_joint_px = 1.2;
 int failed_joints(const Model& model, FailureMode mode);
 constexpr const char* gas_colour = "#ff7f0e";
 std::vector<Segment> gas_lines(const Placement& placement);  // faces under pressure in the last step
-std::vector<Segment> failed_lines(const Placement& placement, FailureMode mode);
+std::vector<Segment> open_lines(const Placement& placement, FailureMode mode);  // FailureMode::none: real joints
 void draw_fixities(Svg& svg, const Frame& frame, const Placement& placement);
 void draw_arrows(Svg& svg, const Frame& frame, const std::vector<Arrow>& arrows);
 

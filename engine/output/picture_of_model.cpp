@@ -53,8 +53,9 @@ std::string draw_picture(const FieldContext& context, const PictureOptions& opti
   add_blocks(scenery, placement);
   scenery.field = picture_field(context, options.field);
   scenery.lines = {{gas_lines(placement), gas_colour, 4.5},
-                   {failed_lines(placement, FailureMode::shear), shear_crack_colour},
-                   {failed_lines(placement, FailureMode::tension), tension_crack_colour}};
+                   {open_lines(placement, FailureMode::none), real_joint_colour, real_joint_px},
+                   {open_lines(placement, FailureMode::shear), shear_crack_colour},
+                   {open_lines(placement, FailureMode::tension), tension_crack_colour}};
   scenery.arrows = [&](double px_per_metre) { return load_arrows(placement, px_per_metre); };
   scenery.marks = [&](Svg& svg, const Frame& frame) { draw_fixities(svg, frame, placement); };
   scenery.width = options.width;

@@ -61,7 +61,7 @@ std::vector<Segment> segments(const ResultFrame& lines, const PlacedBlocks& plac
 void add_cracks(Scenery& scenery, const ResultFrame& cracks, const PlacedBlocks& placed) {
   const ResultArray *mode = cracks.cell("mode"), *gas = cracks.cell("gas"), *opening = cracks.cell("opening");
   const std::vector<Segment> all = segments(cracks, placed);
-  SceneryLines with_gas = {{}, gas_colour, 4.5}, real = {{}, "#7a5c3a", 1.2}, shear = {{}, shear_crack_colour},
+  SceneryLines with_gas = {{}, gas_colour, 4.5}, real = {{}, real_joint_colour, real_joint_px}, shear = {{}, shear_crack_colour},
                tension = {{}, tension_crack_colour};
   int count[3] = {};
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -161,10 +161,6 @@ double bend(const Model& model, const Contact& c, double seconds) {
 
 ContactBooking::ContactBooking(const Model& model, double ahead0, double seconds) {
   for (const Contact& c : std::span(model.contacts).subspan(size_t(model.sleeping_contacts))) {
-    if (seconds == 0) {  // equilibrium: friction alone
-      before_.push_back({0, 0, c.stretch, c.slip, false});
-      continue;
-    }
     const auto [gap, rate] = gap_of(model, c);
     const double place = std::max(0.0, -(gap + c.offset + ahead0 * rate)),
                  pressed = c.normal_force / c.normal_stiffness;
@@ -204,16 +200,12 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
     held(c.i, row.normal_i, row.shear_i);
     held(c.j, row.normal_j, row.shear_j);
   }
-  book_friction(model, ledger);
-  keep_largest(ledger);
-}
-
-void ContactBooking::book_friction(const Model& model, Ledger& ledger) const {
   for (size_t k = 0; k < before_.size(); ++k) {
     const Contact& c = model.contacts[size_t(model.sleeping_contacts) + k];
     if (c.state == ContactState::slip)
       ledger.friction_work += std::abs(c.shear_force * (c.slip - before_[k].slip));
   }
+  keep_largest(ledger);
 }
 
 std::vector<Vec2> support_reactions(const Model& model, const Supports& supports, double time) {
@@ -258,7 +250,7 @@ LoadStepBooking::LoadStepBooking(const Model& model, const Supports& supports, d
   for (const BlockState& state : model.blocks) centroids_.push_back(state.centroid);
 }
 
-void LoadStepBooking::book(const Model& model, const Supports& supports, Ledger& ledger) const {
+void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledger) const {
   const std::vector<Force> now = forces(model, model.time);
   const double earlier = unloaded_ ? 0 : 1;
   for (size_t k = 0; k < now.size(); ++k)
@@ -272,6 +264,11 @@ void LoadStepBooking::book(const Model& model, const Supports& supports, Ledger&
     const Fixity& fixity = model.scene.fixities[f];
     const Vec2 moved = fixity_displacement(fixity, model.time) - fixity_displacement(fixity, time_);
     ledger.boundary_work += (reactions_[f] + reaction[f]).dot(moved) / 2;
+  }
+  for (Contact& c : model.contacts) {
+    if (c.state != ContactState::open) ledger.friction_work += (c.load_shear + c.shear_force) / 2 * (c.slip - c.load_slip);
+    c.load_shear = c.shear_force;
+    c.load_slip = c.slip;
   }
   keep_largest(ledger);
 }

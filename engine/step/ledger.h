@@ -64,8 +64,6 @@ class ContactBooking {
   // The model is that after the step, with the contacts' new forces; `d` and `rows` are the step's.
   void book(const Model& model, const std::vector<ContactRows>& rows, const Scheme& scheme, const Vector& d,
             Ledger& ledger) const;
-  // Equilibrium: friction alone.
-  void book_friction(const Model& model, Ledger& ledger) const;
 
  private:
   struct Before {
@@ -88,11 +86,12 @@ class BridgeBooking {
 // N/m per fixity at `time`: on what it holds by points and edges, and on what its held blocks touch.
 std::vector<Vec2> support_reactions(const Model& model, const Supports& supports, double time);
 
-// A load step of a static run: forces grow linearly over it, from nothing before the first.
+// A load step of a static run: forces grow linearly over it, from nothing before the first. Friction's work too is that of the whole
+// step: what slides to and fro while equilibrium is looked for has not done so in the rock.
 class LoadStepBooking {
  public:
   LoadStepBooking(const Model& model, const Supports& supports, double time, bool unloaded);
-  void book(const Model& model, const Supports& supports, Ledger& ledger) const;
+  void book(Model& model, const Supports& supports, Ledger& ledger) const;
 
  private:
   struct Force {

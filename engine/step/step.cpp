@@ -338,7 +338,8 @@ void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const 
     ledger_.ahead = scheme.bond_ahead;
     return;
   }
-  const ContactBooking booking(model_, ledger_.ahead, scheme.dt);
+  std::optional<ContactBooking> booking;
+  if (motion) booking.emplace(model_, ledger_.ahead, scheme.dt);
   if (motion)  // nothing of it is work
     for (size_t b = 0; b < moved.size(); ++b)
       if (islands_.rest(int(b)) != Rest::moves) model_.blocks[b].velocity.fill(0);
@@ -348,10 +349,7 @@ void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const 
     if (!model_.sleeps(b)) model_.place_vertices(b);
   if (plan_.contacts) {
     islands_.store(model_, contacts_, d);
-    if (motion)
-      booking.book(model_, contacts_.rows(), scheme, d, ledger_);
-    else
-      booking.book_friction(model_, ledger_);
+    if (motion) booking->book(model_, contacts_.rows(), scheme, d, ledger_);
   }
   ledger_.ahead = scheme.bond_ahead;
   if (plan_.bonds && (!motion || !fracture_)) store_tractions();  // else they are, to be judged

@@ -80,11 +80,13 @@ function disc.is_split(sim, height)
   return large >= 2
 end
 
--- Whether cracks, taken as upright, cross every height clear of the plates: a bond that bridges the gap between two may still hold
--- the halves together. `blank`: half the height of a hole at mid-height, where there is nothing to crack.
-local function crosses_all(failed, blank)
+-- Whether cracks with |x| < `band`, taken as upright, cross every height clear of the plates: a bond that bridges the gap between two
+-- may still hold the halves together. `blank`: half the height of a hole at mid-height, where there is nothing to crack.
+local function crosses_all(failed, blank, band)
   local spans = { { -blank, blank } }
-  for _, crack in ipairs(failed) do spans[#spans + 1] = { crack.y - crack.length/2, crack.y + crack.length/2 } end
+  for _, crack in ipairs(failed) do
+    if math.abs(crack.x) < band then spans[#spans + 1] = { crack.y - crack.length/2, crack.y + crack.length/2 } end
+  end
   table.sort(spans, function(s, t) return s[1] < t[1] end)
   local reached = -disc.clear_of_plates
   for _, span in ipairs(spans) do
@@ -96,11 +98,11 @@ end
 
 -- Runs it until it splits. What came of it: `first`, the first crack clear of the plates; `initiation` and `splitting`, the loads at
 -- that crack and the largest (N/m); `failed`, each failed joint in order, and how many of them it took to go `through`; whether it
--- `split`. Writes an output time at the first crack. options: `height`, of what has to split; `blank`, see above; `until_through`,
--- whether to end there.
+-- `split`. Writes an output time at the first crack. options: `height`, of what has to split; `blank`, `band` (else anywhere), see above;
+-- `until_through`, whether to end there.
 function disc.break_up(body, more, options)
   options = options or {}
-  local height, blank = options.height or disc.clear_of_plates, options.blank or 0
+  local height, blank, band = options.height or disc.clear_of_plates, options.blank or 0, options.band or math.huge
   local seen = { failed = {}, splitting = 0 }
   local fields = {}
   for key, value in pairs(more or {}) do fields[key] = value end
@@ -114,7 +116,7 @@ function disc.break_up(body, more, options)
       end
     end
     seen.split = disc.is_split(sim, height)
-    if not seen.through and (seen.split or crosses_all(seen.failed, blank)) then seen.through = #seen.failed end
+    if not seen.through and (seen.split or crosses_all(seen.failed, blank, band)) then seen.through = #seen.failed end
     if seen.split or options.until_through and seen.through then sim:stop() end
   end
   local sim = disc.simulation(body, fields)

@@ -194,7 +194,7 @@ function talus.region(fields) end
 ---@class talus.trace
 ---@field points number[][]|table two or more points, or a `talus.line`
 ---@field name? string what `talus.grade` calls it
----@field joint? talus.joint property of the interface
+---@field joint? talus.joint property of its faces, whatever of the region slides along them
 ---@field bonded? boolean glued with the strength of the joint; otherwise the blocks touch by contact
 
 ---A joint that cuts its region, straight or bent.

@@ -1,5 +1,5 @@
 -- Rigid-body motion: free fall (g t²/2), the impact of two blocks
--- (momentum), a stack at rest (weight above the middle of each block). Sources: closed forms.
+-- (momentum), a stack at rest (weight above the middle of each block), sliding along a real joint. Sources: closed forms.
 local talus = require "talus"
 local u = talus.units
 local g = 9.81
@@ -39,3 +39,18 @@ stack:run()
 for i = 1, 10, 3 do
   talus.check.near("stack of 10: syy of block " .. i, stack.blocks[i + 1].syy, -2500*g*(10.5 - i), { rel = 1e-4 })
 end
+
+-- A row of blocks, cut from one region by real joints, slides along the lowest of them past other blocks than those it lay on.
+local slope, cuts = 20*u.deg, { talus.trace { points = { {-1, 1}, {25, 1} }, joint = talus.joint { name = "bedding", friction = 10*u.deg } } }
+for x = 1, 23 do cuts[#cuts + 1] = talus.trace { points = { {x, -1}, {x, 1} } } end
+for x = 6, 18, 6 do cuts[#cuts + 1] = talus.trace { points = { {x, 1}, {x, 3} } } end
+local bedded = talus.simulation {
+  gravity = {g*math.sin(slope), -g*math.cos(slope)},
+  regions = { talus.region { name = "rock", outline = talus.rect(0, 0, 24, 2), material = rock, cuts = cuts,
+                             joint = talus.joint { name = "other joints", friction = 35*u.deg } } },
+  fix = { talus.fix { region = "rock", on = talus.line(0, 0, 24, 0) } },
+  probes = { c = {3, 1.5} }, time = { mode = "dynamic", t_end = 1.5, dt = 2e-3, start = "rest" },
+}
+bedded:run()
+talus.check.near("row of blocks on a real joint: way after 1.5 s, m", bedded.probes.c.ux,
+                 g*(math.sin(slope) - math.tan(10*u.deg)*math.cos(slope))*1.5^2/2, { rel = 1e-4 })

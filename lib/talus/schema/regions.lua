@@ -72,7 +72,7 @@ return {
     fields = {
       { name = "points", type = "polyline", required = true, doc = "two or more points, or a `talus.line`" },
       { name = "name", type = "string", default_doc = "none", doc = "what `talus.grade` calls it" },
-      joint_field("the region's joint", "property of the interface"),
+      joint_field("the region's joint", "property of its faces, whatever of the region slides along them"),
       bonded,
     },
   },
