@@ -87,8 +87,7 @@ class Pair {
     if (property.stiffness_kind == StiffnessKind::per_contact) {
       c.normal_stiffness = property.stiffness;
     } else {
-      const double young = std::min(model_.material(i_).young, model_.material(j_).young);
-      c.normal_stiffness = property.stiffness * young / least_ * (shared > 0 ? std::max(shared, least_shared * least_) : least_) / 2;
+      c.normal_stiffness = model_.stiffness_per_area(property, i_, j_) * (shared > 0 ? std::max(shared, least_shared * least_) : least_) / 2;
     }
     c.shear_stiffness = c.normal_stiffness * property.shear_ratio;
     return c;

@@ -71,13 +71,6 @@ Pulls pulls(const Model& model, const Joint& joint, const JointPoint& point, dou
   return both;
 }
 
-double contact_stiffness(const Model& model, const Joint& joint) {  // Pa/m
-  const double young = std::min(model.material(joint.a).young, model.material(joint.b).young);
-  const JointProperty& property = model.scene.properties[joint.property];
-  const double alpha = property.stiffness_kind == StiffnessKind::per_length ? property.stiffness : JointProperty{}.stiffness;
-  return alpha * young / std::min(model.shapes[joint.a].length, model.shapes[joint.b].length);
-}
-
 Strength contact_part(const JointProperty& property, const Joint& joint) {
   return {joint.remaining.friction, std::min(joint.remaining.cohesion, property.residual.cohesion), 0};
 }
@@ -93,7 +86,7 @@ void begin_bridges(const Model& model, Joint& joint) {
   const JointProperty& property = model.scene.properties[joint.property];
   if (!property.reduction) return;
   const Laws laws(model, joint);
-  const double tension = laws.tension(0, 0), cohesion = laws.cohesion(0, 0), stiffness = contact_stiffness(model, joint);
+  const double tension = laws.tension(0, 0), cohesion = laws.cohesion(0, 0), stiffness = model.stiffness_per_area(property, joint.a, joint.b);
   joint.bridged = tension > 0 || cohesion > 0;
   const BondTraction t = mean_traction(joint);
   const double normal = std::max(0.0, t.normal), shear = t.shear - taken_over(t, contact_part(property, joint)).shear;

@@ -14,13 +14,9 @@ constexpr double ground_penalty = 1000;
 
 std::array<double, 2> spring_stiffness(const Model& model, const Joint& joint) {
   const JointProperty& property = model.scene.properties[joint.property];
-  double normal = property.stiffness;
-  if (property.stiffness_kind == StiffnessKind::per_length) {
-    const double young = std::min(model.material(joint.a).young, model.material(joint.b).young);
-    normal *= young / std::min(model.shapes[joint.a].length, model.shapes[joint.b].length);
-  } else {
-    normal /= joint.length / 2;  // N/m of one end -> per area
-  }
+  const double normal = property.stiffness_kind == StiffnessKind::per_contact
+                            ? property.stiffness / (joint.length / 2)  // N/m of one end
+                            : model.stiffness_per_area(property, joint.a, joint.b);
   return {normal, normal * property.shear_ratio};
 }
 

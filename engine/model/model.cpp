@@ -150,6 +150,13 @@ int Model::contact_property(int a, int b) const {
   return scene.contact;
 }
 
+double Model::stiffness_per_area(const JointProperty& property, int a, int b) const {
+  if (property.stiffness_kind == StiffnessKind::per_area) return property.stiffness;
+  const bool given = property.stiffness_kind == StiffnessKind::per_length;
+  return (given ? property.stiffness : JointProperty{}.stiffness) * std::min(material(a).young, material(b).young) /
+         std::min(shapes[a].length, shapes[b].length);
+}
+
 BondTraction mean_traction(const Joint& joint) {
   BondTraction sum;
   double weight = 0;

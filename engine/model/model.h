@@ -318,6 +318,8 @@ class Model {
   void place_vertices();              // vertex from blocks
   void place_vertices(int block);
   int contact_property(int a, int b) const;
+  // Pa/m, normal stiffness of an interface between two blocks, unless it is given per contact: by default then.
+  double stiffness_per_area(const JointProperty& property, int a, int b) const;
   Strength strength(const Joint& joint) const;            // of the intact bond
   Strength contact_strength(const Contact& contact) const;
 

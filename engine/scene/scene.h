@@ -18,7 +18,7 @@ namespace talus {
 enum class Plane { stress, strain };
 enum class BlockOrder { rigid = 0, first = 1, second = 2 };  // 3, 6 and 12 unknowns
 enum class BondKind { exact, spring };           // Nitsche; springs at the edge's ends (the paper)
-enum class StiffnessKind { per_length, per_contact };
+enum class StiffnessKind { per_length, per_area, per_contact };
 
 struct Material {
   Place place;
@@ -39,7 +39,7 @@ struct JointProperty {
   BondKind bond = BondKind::exact;
   double penalty = 1.1;  // exact bonds: multiple (> 1) of the stiffness that is provably positive definite
   StiffnessKind stiffness_kind = StiffnessKind::per_length;
-  double stiffness = 100;    // contacts and spring bonds. per_length: alpha in alpha E/h; per_contact: N/m
+  double stiffness = 100;    // contacts and spring bonds. per_length: alpha in alpha E/h; per_area: Pa/m; per_contact: N/m
   double shear_ratio = 0.4;  // shear stiffness / normal stiffness of contacts and spring bonds
   bool breaks = false;       // its bonds have a strength: the three above; without one they hold for ever
   Strength residual;         // of a failed bond, where there is no `reduction`

@@ -86,7 +86,8 @@ JointProperty read_property(const TableReader& t) {
   t.read("tension", p.tension);
   read_enum(t, "bond", {{"exact", BondKind::exact}, {"spring", BondKind::spring}}, p.bond);
   t.read("penalty", p.penalty);
-  read_enum(t, "stiffness_kind", {{"length", StiffnessKind::per_length}, {"contact", StiffnessKind::per_contact}},
+  read_enum(t, "stiffness_kind",
+            {{"length", StiffnessKind::per_length}, {"area", StiffnessKind::per_area}, {"contact", StiffnessKind::per_contact}},
             p.stiffness_kind);
   t.read("stiffness", p.stiffness);
   t.read("shear_ratio", p.shear_ratio);

@@ -82,8 +82,8 @@ function talus.laws.barton_bandis(fields) end
 function talus.laws.weibull(fields) end
 
 ---@class talus.stiffness
----@field per? "length"|"contact" `length`: value is α in α·E/h; `contact`: a fixed stiffness for each contact and each end of a bond
----@field value? number 1 or N/m; > 0; α, or the stiffness of one contact
+---@field per? "length"|"area"|"contact" `length`: value is α in α·E/h; `area`: k_n of a rock joint, whatever the blocks; `contact`: a fixed stiffness for each contact and each end of a bond
+---@field value? number 1, Pa/m or N/m; > 0; α, k_n (fresh joints: 10 to 1000 GPa/m, more where pressed harder, Bandis, Lumsden & Barton 1983), or the stiffness of one contact
 ---@field times_young? number > 0; per contact, instead of value: multiple of E of the region's material (between regions: of the softest one)
 
 ---@class talus.outline

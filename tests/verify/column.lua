@@ -1,5 +1,5 @@
 -- A column under its own weight: s = rho g (H - y), shortening rho g H²/(2E) (nu = 0).
--- Source: rod under body force; penalty bias: force through each joint over its stiffness 100 E/h per area.
+-- Source: rod under body force; joints close by σ/k_n, by default k_n = 100 E/h.
 local talus = require "talus"
 local u = talus.units
 local g, density, young, height = 9.81, 2500, 10*u.GPa, 10
@@ -35,3 +35,15 @@ local stacked = column({ blocks = blocks }, talus.joint { name = "seat", frictio
 talus.check.near("stacked column: shortening with the bias of its 9 joints, m", -stacked.probes.top.uy,
                  shortening + penalty_bias, { rel = 1e-3 })
 talus.check.near("stacked column: sigma y of block 3", stacked.blocks[3].syy, -density*g*7.5, { rel = 1e-4 })
+
+-- The same with joints of k_n = 20 GPa/m: by contact, and by spring bonds in blocks of other sizes.
+local kn, closing = 20*u.GPa, 0
+for i = 1, 9 do closing = closing + density*g*(height - i)/kn end
+local soft = { per = "area", value = kn }
+local seated = column({ blocks = blocks }, talus.joint { name = "seat", friction = 30*u.deg, stiffness = soft })
+talus.check.near("joints of 20 GPa/m: shortening, m", -seated.probes.top.uy, shortening + closing, { rel = 1e-4 })
+local cuts = {}
+for i = 1, 9 do cuts[i] = talus.trace { points = { {-1, i}, {2, i} }, bonded = true,
+                                       joint = talus.joint { name = "cement", bond = "spring", stiffness = soft } } end
+local cemented = column { outline = talus.rect(0, 0, 1, height), cuts = cuts }
+talus.check.near("cement of 20 GPa/m: shortening, m", -cemented.probes.top.uy, shortening + closing, { rel = 1e-4 })

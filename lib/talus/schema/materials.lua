@@ -112,13 +112,14 @@ return {
   },
   {
     kind = "stiffness", call = "",
-    doc = "The stiffness of a joint in full: `stiffness = { per = \"contact\", times_young = 40 }`.",
+    doc = "The stiffness of a joint in full: `stiffness = { per = \"area\", value = 100*u.GPa }`.",
     fields = {
-      { name = "per", type = "enum", values = { "length", "contact" }, default = "length",
-        doc = "`length`: value is α in α·E/h; `contact`: a fixed stiffness for each contact and each end of a"
-            .. " bond" },
-      { name = "value", type = "number", above = 0, unit = "1 or N/m",
-        doc = "α, or the stiffness of one contact" },
+      { name = "per", type = "enum", values = { "length", "area", "contact" }, default = "length",
+        doc = "`length`: value is α in α·E/h; `area`: k_n of a rock joint, whatever the blocks; `contact`: a fixed stiffness"
+            .. " for each contact and each end of a bond",
+        source = "area: Goodman, Taylor & Brekke 1968" },
+      { name = "value", type = "number", above = 0, unit = "1, Pa/m or N/m",
+        doc = "α, k_n (fresh joints: 10 to 1000 GPa/m, more where pressed harder, Bandis, Lumsden & Barton 1983), or the stiffness of one contact" },
       { name = "times_young", type = "number", above = 0,
         doc = "per contact, instead of value: multiple of E of the region's material (between regions: of the"
             .. " softest one)" },
