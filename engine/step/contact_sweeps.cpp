@@ -184,12 +184,18 @@ void SweepsOf<size>::rebuild() {
     sum[link.j] += n * link.normal_j - t * link.shear_j;
   }
   for (size_t l = 0; l < bond_.size(); ++l) sum[l] += bond_[l];
-  for (const Patch& patch : patches_)
-    for (const int b : patch.blocks) {
-      motion_[b].setZero();
-      for (const int other : patch.blocks)
-        motion_[b] += patch.inverse.template block<size, size>(rank_[b] * size, rank_[other] * size) * sum[other];
+  using OfPatch = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, int(most_in_patch) * size, 1>;
+  OfPatch forces, motions;
+  for (const Patch& patch : patches_) {
+    if (patch.blocks.size() == 1) {
+      motion_[patch.blocks[0]].noalias() = patch.inverse.template topLeftCorner<size, size>() * sum[patch.blocks[0]];
+      continue;
     }
+    forces.resize(patch.inverse.cols());
+    for (const int b : patch.blocks) forces.template segment<size>(rank_[b] * size) = sum[b];
+    motions.noalias() = patch.inverse * forces;
+    for (const int b : patch.blocks) motion_[b] = motions.template segment<size>(rank_[b] * size);
+  }
 }
 
 template <int size>
