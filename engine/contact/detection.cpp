@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <unordered_map>
 #include <unordered_set>
@@ -34,7 +35,8 @@ std::int64_t pair_key(int a, int b) { return (std::int64_t(std::min(a, b)) << 32
 
 void carry(const Contact& from, Contact& to) {
   to.state = from.state;
-  to.stretch = from.stretch * from.shear_stiffness / to.shear_stiffness;  // the force goes on
+  // The force goes on, and what has slid in the search for equilibrium.
+  to.stretch = from.stretch - from.shear_force / from.shear_stiffness + from.shear_force / to.shear_stiffness;
   to.slip = from.slip;
   to.offset = from.offset;
   to.normal_force = from.normal_force;
@@ -126,10 +128,12 @@ void carry_over(const Model& model, double dt, std::vector<Contact>& now) {
     const Contact* old = nullptr;
     for (std::int64_t key : {std::int64_t(-1 - c->global_vertex), pair_key(c->i, c->j)})
       if (const auto found = ended.find(key); !old && found != ended.end()) old = predecessor(model, *c, found->second);
-    if (old)
+    if (old) {
       carry(*old, *c);
-    else
+      c->load_shear = std::numeric_limits<double>::quiet_NaN();
+    } else {
       c->offset = born_with(model, *c, dt);
+    }
     if (!old && c->joint >= 0) take_over(model, *c);
   }
 }

@@ -169,10 +169,18 @@ struct Contact {
   double normal_stiffness = 0, shear_stiffness = 0;  // N/m
   double gap = 0;                     // m, negative when pressed together
   double offset = 0;                  // m, overlap at birth that is not counted as pressing; < 0: pressed by a bond before
-  double stretch = 0;                 // m, elastic part of the sliding: shear force / shear stiffness
+  double stretch = 0;                 // m, elastic part of the sliding: shear force / shear stiffness; until end_sliding() all of it
   double slip = 0;                    // m, plastic part, accumulated along the edge
   double normal_force = 0, shear_force = 0;  // N; normal positive when pressed together
-  double load_shear = 0, load_slip = 0;  // N, m: of a static run, at the end of the last load step
+  // N, m: of a static run, at the end of the last load step; no number: has taken over from another contact since.
+  double load_shear = 0, load_slip = 0;
+  // What the contact cannot hold of its sliding is slip: at the end of a step; of a load step, where friction goes by the way from
+  // its start, whichever way the search for equilibrium takes (backward Euler), or else of each solve of the search.
+  void end_sliding() {
+    const double held = shear_force / shear_stiffness;
+    slip += stretch - held;
+    stretch = held;
+  }
   std::int64_t key() const { return (std::int64_t(global_vertex) << 32) | std::uint32_t(global_edge); }
   int global_vertex = 0, global_edge = 0;  // indices into Model::vertex
 };

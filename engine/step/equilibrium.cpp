@@ -18,6 +18,8 @@ constexpr double least_hold = 1e-4;
 constexpr int static_patience = 4;  // steps that bring equilibrium no nearer, of bonds that soften
 constexpr int steps_a_level = 3;  // with one share of the slopes, before a larger one is tried
 constexpr int equilibrium_iterations = 200;
+constexpr int whole_way_among_cracks = 15;
+
 constexpr double release_hold = 0.1;
 constexpr int release_iterations = 40;
 
@@ -57,6 +59,10 @@ struct Softening {
   }
 };
 
+void end_sliding(Model& model) {
+  for (Contact& contact : model.contacts) contact.end_sliding();
+}
+
 // Whether all blocks hang together by bonds and nothing has cracked: then nothing touches.
 bool in_one_piece(const Model& model) {
   const auto failed = [](const Joint& joint) { return joint.state == JointState::failed; };
@@ -87,7 +93,22 @@ std::string Stepper::settle() {
   return {};
 }
 
-bool Stepper::balance(Equilibrium& search) { return find_equilibrium(false, 0, equilibrium_iterations, search); }
+// With friction by the whole way; where that is not found, as among new cracks, by the way of each solve, whose friction gives in.
+bool Stepper::balance(Equilibrium& search) {
+  if (plan_.contacts) {
+    Restored attempt(model_);
+    Equilibrium whole;
+    whole.most_solves = search.most_solves;
+    whole.whole_way = true;
+    const bool found = find_equilibrium(false, 0, fracture_ ? whole_way_among_cracks : equilibrium_iterations, whole);
+    if (found) attempt.keep();
+    if (found || whole.last.singular_block >= 0) {
+      search = std::move(whole);
+      return found;
+    }
+  }
+  return find_equilibrium(false, 0, equilibrium_iterations, search);
+}
 
 bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search) {
   StepReport& report = search.report;
@@ -109,7 +130,10 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
     assemble(scheme, stick);
     result = islands_.judge(model_, system_, contacts_, i > 0 ? enough : -1);
     report.residual = result.residual;
-    if (i > 0 && result.residual <= enough) return true;
+    if (i > 0 && result.residual <= enough) {
+      end_sliding(model_);
+      return true;
+    }
     d.resize(0);
     result = solve(0, d);
     report.iterations += result.iterations;
@@ -122,6 +146,7 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
     report.displacement = std::max(report.displacement, displacement);
     keep_rest(moved);
     accept(std::move(moved), scheme, d);
+    if (!search.whole_way) end_sliding(model_);
     search.alternation.note(model_);
     bridges_.watch(model_);
     if (softening.wears)

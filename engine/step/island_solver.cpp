@@ -190,10 +190,14 @@ void IslandSolver::watch(const Step& step, const Vector& d, IslandResult& result
       for (const int k : islands_.rows(island)) pressed(k);
 }
 
-void IslandSolver::store(Model& model, const ContactTerms& contacts, const Vector& d) const {
+void IslandSolver::store(Model& model, const ContactTerms& contacts, const Vector& d, bool motion) const {
   const auto left = [this](int block) { return islands_.of(block) < 0 || rest(block) == Rest::rests; };
-  for (const ContactRows& row : contacts.rows())
-    if (!left(row.i) || !left(row.j)) OpenClose::store(row, contacts.factor(), d, model.contacts[row.contact]);
+  for (const ContactRows& row : contacts.rows()) {
+    if (left(row.i) && left(row.j)) continue;
+    Contact& contact = model.contacts[row.contact];
+    OpenClose::store(row, contacts.factor(), d, contact);
+    if (motion) contact.end_sliding();
+  }
 }
 
 }  // namespace talus

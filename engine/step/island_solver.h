@@ -40,7 +40,7 @@ class IslandSolver {
   bool converged(int island) const { return converged_[island]; }  // in the last solve
   void leave(int island) { at_rest_[island] = Rest::rests; }       // its solution is not taken
   // The contacts after the step that d solves, but for those of what stood still and still does.
-  void store(Model& model, const ContactTerms& contacts, const Vector& d) const;
+  void store(Model& model, const ContactTerms& contacts, const Vector& d, bool motion) const;
 
   int first(int block) const { return islands_.of(block) < 0 ? -1 : islands_.first(islands_.of(block)); }
   // Of the last solve: a block's island; blocks that press where they were not expected to.

@@ -266,7 +266,8 @@ void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledge
     ledger.boundary_work += (reactions_[f] + reaction[f]).dot(moved) / 2;
   }
   for (Contact& c : model.contacts) {
-    if (c.state != ContactState::open) ledger.friction_work += (c.load_shear + c.shear_force) / 2 * (c.slip - c.load_slip);
+    const double before = unloaded_ ? 0 : std::isnan(c.load_shear) ? c.shear_force : c.load_shear;
+    if (c.state != ContactState::open) ledger.friction_work += (before + c.shear_force) / 2 * (c.slip - c.load_slip);
     c.load_shear = c.shear_force;
     c.load_slip = c.slip;
   }

@@ -116,9 +116,8 @@ void OpenClose::store(const ContactRows& row, double factor, const Vector& d, Co
   contact.state = contact.normal_force <= 0 && limit <= 0 ? ContactState::open
                   : contact.shear_force == trial ? ContactState::stick
                                                  : ContactState::slip;
-  contact.slip += (trial - contact.shear_force) / row.ks;
-  if (contact.state == ContactState::open) contact.slip = contact.load_slip = contact.load_shear = 0;
-  contact.stretch = contact.shear_force / row.ks;
+  contact.stretch = slide;
+  if (contact.state == ContactState::open) contact.slip = contact.stretch = contact.load_slip = contact.load_shear = 0;
   contact.gap = gap - contact.offset;
   if (contact.offset > 0)
     contact.offset = std::clamp(-contact.gap, 0.0, contact.offset);  // shrinks as the bodies separate

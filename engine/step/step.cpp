@@ -348,7 +348,7 @@ void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const 
   for (int b = 0; b < int(model_.shapes.size()); ++b)
     if (!model_.sleeps(b)) model_.place_vertices(b);
   if (plan_.contacts) {
-    islands_.store(model_, contacts_, d);
+    islands_.store(model_, contacts_, d, motion);
     if (motion) booking->book(model_, contacts_.rows(), scheme, d, ledger_);
   }
   ledger_.ahead = scheme.bond_ahead;

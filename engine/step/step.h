@@ -75,6 +75,7 @@ class Stepper {
     Vector d;  // m, last displacements
     Alternation alternation;
     int most_solves = std::numeric_limits<int>::max();
+    bool whole_way = false;  // friction by all that slides in the load step, not by what each solve of the search slides
   };
   bool find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search);
   bool balance(Equilibrium& search);

@@ -112,3 +112,20 @@ local static = account("beam, static", {
   regions = { beam }, fix = { talus.fix { region = "beam", on = "left" } },
   loads = { talus.pressure { region = "beam", on = "top", value = 1e4 } }, time = { mode = "static", steps = 2 } })
 talus.check.near("beam, static: strain energy over external work", static.energy.strain/static.energy.external, 1, { rel = 1e-3 })
+
+-- A rigid block under pressure is pushed over two others, a tenth of its length past their joint. Friction is μ N s, half of that in the
+-- first load step, over which the pressure grows.
+for _, steps in ipairs { 5, 10 } do
+  local pushed = talus.simulation {
+    contact = talus.joint { name = "rough", friction = math.atan(0.5) },
+    regions = { talus.region { name = "base", blocks = { talus.rect(0, 0, 2, 1), talus.rect(2, 0, 4, 1) }, material = rock, held = true },
+                talus.region { name = "sled", outline = talus.rect(0.9, 1, 1.9, 2), material = rock, order = "rigid" } },
+    loads = { talus.pressure { region = "sled", on = "top", value = 1*u.MPa } },
+    fix = { talus.fix { name = "push", region = "sled", on = "left", x = true, displacement = { { {0, 0}, {1, 0.2} }, 0 } } },
+    time = { mode = "static", steps = steps },
+  }
+  pushed:run()
+  local e = pushed.energy
+  talus.check.near("sled, static, " .. steps .. " steps: friction work, J/m", e.friction, 0.5*1*u.MPa*0.2*(1 - 0.5/steps), { rel = 5e-3 })
+  talus.check.below("sled, static, " .. steps .. " steps: unexplained", math.abs(e.unexplained)/e.scale, 5e-3)
+end
