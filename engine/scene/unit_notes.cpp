@@ -13,6 +13,7 @@ constexpr double least_density = 500, most_density = 20000;  // kg/m3: pumice, t
 constexpr double least_young = 1e5;      // Pa: gelatine
 constexpr double least_pressure = 1e5;   // Pa: the atmosphere's
 constexpr double least_strength = 100;   // Pa: the weight of a centimetre of soil
+constexpr double least_stiffness = 1e6;  // Pa/m: a decimetre of gelatine
 
 bool has_units(const Material& material) { return material.density >= least_density && material.density <= most_density; }
 
@@ -29,9 +30,12 @@ void doubt_units(const Scene& scene, std::vector<std::string>& notes) {
   for (const Material& material : scene.materials)
     if (has_units(material) && material.young > 0 && material.young < least_young)
       doubt("material \"" + material.name + "\": young", material.young, "that of gelatine", "GPa", notes);
-  for (const JointProperty& joint : scene.properties)
+  for (const JointProperty& joint : scene.properties) {
+    if (joint.stiffness_kind == StiffnessKind::per_area && joint.stiffness < least_stiffness)
+      doubt("joint \"" + joint.name + "\": stiffness per m", joint.stiffness, "that of a decimetre of gelatine", "GPa", notes);
     for (const auto& [name, value] : {std::pair{"tension", joint.tension}, {"cohesion", joint.cohesion}})
       if (value > 0 && value < least_strength) doubt("joint \"" + joint.name + "\": " + name, value, "what carries a centimetre of soil", "MPa", notes);
+  }
   for (const Charge& charge : scene.charges) {
     if (!charge.law.work) continue;  // a law in Lua is called once more for nothing else
     const double pressure = charge.law.pressure(1, {.volume = 1, .first_volume = 1});

@@ -44,7 +44,7 @@ end
 function rules.stiffness(values, bad)
   one_of(values, "value", "times_young", bad)
   if values.times_young and values.per ~= "contact" then
-    bad("times_young", 'per = "contact"', "stiffness per length")
+    bad("times_young", 'per = "contact"', "stiffness per " .. values.per)
   end
 end
 
