@@ -13,23 +13,21 @@ local radius, eccentricity, usual = 7*u.mm, 8*u.mm, 1.75*u.mm
 if case == "small" then radius, eccentricity, usual = 3.5*u.mm, 12*u.mm, 1.9*u.mm end
 local size = talus.param("size", usual, "triangle edge, m")
 
-local hole = talus.circle { at = {eccentricity, 0}, radius = radius, name = "hole", sides = math.ceil(2*math.pi*radius/size) }
-local body = talus.region { name = "disc", outline = disc.outline(size), holes = { hole }, material = disc.rock,
-                            mesh = { size = size }, joint = disc.joint() }
+local body = disc.holed(size, radius, eccentricity)
 local sim, seen = disc.break_up(body, { title = "Flattened disc with a " .. case .. " hole", output = { dir = "out/holed_disc" } },
                                 case == "large" and { height = disc.at_plates, blank = radius }
                                                 or { band = 0.2*disc.radius, until_through = true })
 
-local function at_hole(x, y) return math.sqrt((x - eccentricity)^2 + y^2) < radius + 2*size end
+local function at_hole(crack) return disc.at_hole(crack, size, radius, eccentricity) end
 local met, above, below = 0, false, false
 for _, crack in ipairs(seen.failed) do
-  local touches = at_hole(crack.x, crack.y)
+  local touches = at_hole(crack)
   if touches then met = met + crack.length end
   above, below = above or touches and crack.y > 0, below or touches and crack.y < 0
 end
 print(string.format("%d blocks; first crack at (%.1f, %.1f) mm, %.2f kN/m; split at %.2f kN/m; %.1f mm cracked at the hole",
                     #sim.blocks, 1e3*seen.first.x, 1e3*seen.first.y, seen.initiation/u.kN, seen.splitting/u.kN, 1e3*met))
-talus.check.truth("the first crack is at the hole", at_hole(seen.first.x, seen.first.y))
+talus.check.truth("the first crack is at the hole", at_hole(seen.first))
 if case == "small" then
   talus.check.truth("splits beside the hole: cracks within 0.1 D of the loaded diameter cross it from plate to plate", seen.through ~= nil)
 else

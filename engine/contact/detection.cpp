@@ -133,8 +133,8 @@ void carry_over(const Model& model, double dt, std::vector<Contact>& now) {
       c->load_shear = std::numeric_limits<double>::quiet_NaN();
     } else {
       c->offset = born_with(model, *c, dt);
+      if (c->joint >= 0) take_over(model, *c);
     }
-    if (!old && c->joint >= 0) take_over(model, *c);
   }
 }
 

@@ -42,6 +42,17 @@ function disc.joint(more)
   return talus.joint(fields)
 end
 
+-- The disc with a hole beside its centre.
+function disc.holed(size, radius, eccentricity)
+  local hole = talus.circle { at = {eccentricity, 0}, radius = radius, name = "hole", sides = math.ceil(2*math.pi*radius/size) }
+  return talus.region { name = "disc", outline = disc.outline(size), holes = { hole }, material = disc.rock, mesh = { size = size },
+                        joint = disc.joint() }
+end
+-- Whether a crack touches it: its middle is within two edges of the wall.
+function disc.at_hole(crack, size, radius, eccentricity)
+  return math.sqrt((crack.x - eccentricity)^2 + crack.y^2) < radius + 2*size
+end
+
 -- A simulation of the region `body`. The upper plate comes down by 0.1 mm in ten increments of load.
 function disc.simulation(body, more)
   local h, b = disc.half_height, disc.half_flat

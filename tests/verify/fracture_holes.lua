@@ -1,25 +1,10 @@
--- The discs of Ning et al. (2011), Figs. 7 and 10, each on two meshes (quick: one; full=true: 4 more each): with a notch, from whose tips
+-- The discs of Ning et al. (2011), Figs. 7 and 10, each on five meshes (one unless full=true): with a notch, from whose tips
 -- wing cracks reach the ends; with a small hole beside the centre (3-I), which it splits beside; with a large one (3-II), through it.
 -- Source: what the paper's pictures show; examples 07 and 08 are the same discs.
 local talus = require "talus"
 local u = talus.units
 local disc = require "parts.flattened_disc"
 local full = talus.param("full", false, "five meshes each")
-
-local function body(size, more)
-  local fields = { name = "disc", outline = disc.outline(size), material = disc.rock, mesh = { size = size }, joint = disc.joint() }
-  for key, value in pairs(more) do fields[key] = value end
-  return talus.region(fields)
-end
-
-local function holed(size, radius, eccentricity)
-  local sides = math.ceil(2*math.pi*radius/size)
-  return body(size, { holes = { talus.circle { at = {eccentricity, 0}, radius = radius, name = "hole", sides = sides } } })
-end
-
-local function near_hole(crack, size, radius, eccentricity)
-  return math.sqrt((crack.x - eccentricity)^2 + crack.y^2) < radius + 2*size
-end
 
 local function ledger(label, sim)
   talus.check.below(label .. "unexplained energy, of the work put in", math.abs(sim.energy.unexplained)/sim.energy.scale, 0.01)
@@ -28,7 +13,9 @@ end
 local half_notch = 15*u.mm/2/math.sqrt(2)
 for _, size in ipairs(full and { 1.7, 1.8, 1.85, 1.9, 2.0 } or { 1.9 }) do
   local notch = talus.trace { points = { { -half_notch, -half_notch }, { half_notch, half_notch } }, joint = talus.joint { friction = 0 } }
-  local sim, seen = disc.break_up(body(size*u.mm, { cuts = { notch } }), nil, { height = disc.at_plates, blank = half_notch })
+  local body = talus.region { name = "disc", outline = disc.outline(size*u.mm), material = disc.rock, mesh = { size = size*u.mm },
+                              joint = disc.joint(), cuts = { notch } }
+  local sim, seen = disc.break_up(body, nil, { height = disc.at_plates, blank = half_notch })
   local label = string.format("notched disc of %d blocks: ", #sim.blocks)
   local upper, lower = 0, 0
   for _, crack in ipairs(seen.failed) do upper, lower = math.max(upper, crack.y), math.max(lower, -crack.y) end
@@ -39,19 +26,19 @@ for _, size in ipairs(full and { 1.7, 1.8, 1.85, 1.9, 2.0 } or { 1.9 }) do
 end
 
 for _, size in ipairs(full and { 1.7, 1.77, 1.83, 1.9, 1.97 } or { 1.83 }) do
-  local sim, seen = disc.break_up(holed(size*u.mm, 3.5*u.mm, 12*u.mm), nil, { band = 0.2*disc.radius, until_through = true })
+  local sim, seen = disc.break_up(disc.holed(size*u.mm, 3.5*u.mm, 12*u.mm), nil, { band = 0.2*disc.radius, until_through = true })
   local label = string.format("small hole, %d blocks: ", #sim.blocks)
-  talus.check.truth(label .. "the first crack is at the hole", near_hole(seen.first, size*u.mm, 3.5*u.mm, 12*u.mm))
+  talus.check.truth(label .. "the first crack is at the hole", disc.at_hole(seen.first, size*u.mm, 3.5*u.mm, 12*u.mm))
   talus.check.truth(label .. "cracks within 0.1 D of the loaded diameter cross it from plate to plate", seen.through ~= nil)
   ledger(label, sim)
 end
 
 for _, size in ipairs(full and { 1.6, 1.65, 1.7, 1.8, 1.9 } or { 1.8 }) do
-  local sim, seen = disc.break_up(holed(size*u.mm, 7*u.mm, 8*u.mm), nil, { height = disc.at_plates, blank = 7*u.mm })
+  local sim, seen = disc.break_up(disc.holed(size*u.mm, 7*u.mm, 8*u.mm), nil, { height = disc.at_plates, blank = 7*u.mm })
   local label = string.format("large hole, %d blocks: ", #sim.blocks)
   local above, below = false, false
   for _, crack in ipairs(seen.failed) do
-    local touches = near_hole(crack, size*u.mm, 7*u.mm, 8*u.mm)
+    local touches = disc.at_hole(crack, size*u.mm, 7*u.mm, 8*u.mm)
     above, below = above or touches and crack.y > 0, below or touches and crack.y < 0
   end
   talus.check.truth(label .. "split in two", seen.split)
