@@ -16,6 +16,8 @@ constexpr double at_strength = 1 - 1e-7;
 // Utilisations that differ by less are the same: of bonds that a symmetric scene makes alike none fails before another.
 constexpr double alike = 1e-6;
 
+bool is_due(const Joint& joint) { return joint.state == JointState::intact && joint.utilisation >= at_strength; }
+
 double joint_jump(const Joint& joint, double JointPoint::*value) {
   double mean = 0;
   for (const JointPoint& point : joint.points) mean += point.weight / joint.length * (point.*value);
@@ -36,6 +38,7 @@ Fracture::Fracture(Model& model) : model_(model), at_node_(model.nodes.position.
       if (breakable_.size() == 1 || transit < least_transit_) least_transit_ = transit;
     }
   }
+  if (model.scene.fracture.path == CrackPath::tracked) tracking_.emplace(model, at_node_);
   restored();
 }
 
@@ -50,11 +53,20 @@ double Fracture::judge() {
   return most;
 }
 
-std::vector<int> Fracture::choose(bool motion) const {
+bool Fracture::any_due() const {
+  return std::any_of(breakable_.begin(), breakable_.end(), [&](int j) { return is_due(model_.joints[j]); });
+}
+
+std::vector<int> Fracture::choose(bool motion) {
+  const std::vector<int> first = first_of_those_due(motion);
+  return tracking_ && !first.empty() ? tracking_->lead(first) : first;
+}
+
+std::vector<int> Fracture::first_of_those_due(bool motion) const {
   const auto& joints = model_.joints;
   std::vector<int> due;
   for (const int j : breakable_)
-    if (joints[j].state == JointState::intact && joints[j].utilisation >= at_strength) due.push_back(j);
+    if (is_due(joints[j])) due.push_back(j);
   const FractureControl& control = model_.scene.fracture;
   if (due.empty() || control.order == FailureOrder::all) return due;
   const double least = control.order == FailureOrder::one ? 1 : 1 - control.band;
@@ -108,6 +120,7 @@ void Fracture::heal() {
     joint.mode = FailureMode::none;
     joint.crack = CrackKind::none;
     joint.most_opening = joint.most_slip = 0;
+    joint.off_path = Vec2::Zero();
     joint.bridged = false;
   }
   events_.clear();

@@ -1,8 +1,10 @@
 #pragma once
 // Bonds that fail: judged by their tractions, the most critical first, before the others are judged anew under the same
 // load. What fails at once would else fail beside what it unloads: parallel cracks where there is one.
+#include <optional>
 #include <vector>
 
+#include "fracture/crack_tracking.h"
 #include "model/model.h"
 
 namespace talus {
@@ -13,9 +15,10 @@ class Fracture {
 
   // Utilisation of all bonds, from their stored tractions; the highest of them.
   double judge();
+  bool any_due() const;
   // Those of the last judgement that fail now, in order of their numbers. In motion, where a load travels, a bond waits
-  // only for bonds that share a node with it; in equilibrium for all.
-  std::vector<int> choose(bool motion) const;
+  // only for bonds that share a node with it; in equilibrium for all. The model is as it was judged.
+  std::vector<int> choose(bool motion);
   // They fail, with the tractions that they have, and join the events.
   void fail(const std::vector<int>& joints, double time);
   // Makes what failed since the last clear_events() whole again.
@@ -32,11 +35,13 @@ class Fracture {
   void restored();  // the model has been put back
 
  private:
+  std::vector<int> first_of_those_due(bool motion) const;
   void weaken(Joint& joint, double normal);  // Pa
 
   Model& model_;
   std::vector<std::vector<int>> at_node_;  // bonds, by Model::nodes
   std::vector<int> breakable_, events_;
+  std::optional<CrackTracking> tracking_;
   double least_transit_ = 0;
 };
 

@@ -265,12 +265,14 @@ struct Numerics {
 };
 
 enum class FailureOrder { critical, all, one };
+enum class CrackPath { mesh, tracked };
 
 // Which of the bonds that have reached their strength fail at once, before the others are judged anew.
 struct FractureControl {
   FailureOrder order = FailureOrder::critical;  // the most critical and those within `band` of it
   double band = 0.05;       // part of the highest utilisation
   double overshoot = 0.01;  // static: part by which an increment of load may pass the strength of the first bond
+  CrackPath path = CrackPath::mesh;
 };
 
 struct Output {

@@ -336,6 +336,7 @@ Scene read_scene(const TableReader& t) {
               s.fracture.order);
     e.read("band", s.fracture.band);
     e.read("overshoot", s.fracture.overshoot);
+    read_enum(e, "path", {{"mesh", CrackPath::mesh}, {"tracked", CrackPath::tracked}}, s.fracture.path);
   });
   t.with("output", [&](const TableReader& e) { s.output = read_output(e); });
   return s;

@@ -215,9 +215,8 @@ bool Stepper::breaks(std::vector<BlockState>& moved, double dt, StepReport& repo
   model_.blocks.swap(moved);
   store_tractions();
   report.utilisation = std::max(report.utilisation, fracture_->judge());
+  const std::vector<int> due = dt < fracture_->least_transit() ? std::vector<int>{} : fracture_->choose(true);
   model_.blocks.swap(moved);
-  if (dt < fracture_->least_transit()) return false;
-  const std::vector<int> due = fracture_->choose(true);
   if (due.empty()) return false;
   store_tractions();
   fracture_->fail(due, model_.time + dt);

@@ -39,7 +39,7 @@ class Stepper {
   std::string collapse_note() const;  // of a load step that found no equilibrium
   // Bonds beyond their strength before the first step fail. How many did.
   int initial_cracks();
-  bool bonds_due() const { return fracture_ && !fracture_->choose(false).empty(); }
+  bool bonds_due() const { return fracture_ && fracture_->any_due(); }
   const std::vector<int>& fractures() const;  // joints that failed in the last step
   const Gas* gas() const { return gas_.get(); }
   // The start of a settled run: equilibrium with friction where there is one, else that in which nothing slides.

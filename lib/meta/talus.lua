@@ -496,6 +496,7 @@ function talus.damping.velocity(fields) end
 ---@field order? "critical"|"all"|"one" which fail before the others are judged anew under the same load: the most critical with those within `band` of it, all, or the most critical alone. In motion a bond waits only for those it shares a corner with
 ---@field band? number in [0, 1); part of the highest utilisation
 ---@field overshoot? number in (0, 1]; static: part of its strength by which an increment of load may overload the first bond
+---@field path? "mesh"|"tracked" which bond at the tip of a crack fails in tension: the one that is due, by which a crack strays with the mesh; or the one there that ends nearest to the way of the highest hoop stress, which is followed from where the crack would be without a mesh. `tracked` is for bonds that stand for a continuum, not for grains or scattered strengths
 
 ---@class talus.output
 ---@field dir? string folder, from where the program runs; `-o` goes before it

@@ -247,7 +247,7 @@ local function assemble(simulation)
   scene.output = output_of(given(simulation, "output"), simulation)
   scene.fields = fields_of(given(simulation, "output"))
   if given(simulation, "fracture") then
-    scene.fracture = flatten.fields(given(simulation, "fracture"), { "order", "band", "overshoot" })
+    scene.fracture = flatten.fields(given(simulation, "fracture"), { "order", "band", "overshoot", "path" })
   end
   for _, name in ipairs { "on_step", "on_fracture", "on_gas", "on_output", "stop" } do scene[name] = given(simulation, name) end
   return assembly

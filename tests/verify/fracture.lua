@@ -112,7 +112,7 @@ talus.check.below("edge crack on 12 unstructured meshes: standard deviation of t
 -- A square, pressed over the middle of top and bottom, is the same in both mirrors, and so are its cracks, whichever corner its
 -- outline begins at and whichever way it turns.
 local corners = { {-1, -1}, {1, -1}, {1, 1}, {-1, 1} }
-local function square(first, way)
+local function square(first, way, path)
   local points = {}
   for k = 0, 3 do points[#points + 1] = corners[(first + way*k) % 4 + 1] end
   local sim = talus.simulation {
@@ -122,6 +122,7 @@ local function square(first, way)
             talus.fix { region = "square", on = talus.point(0, -1), x = true } },
     loads = { talus.pressure { region = "square", on = talus.line(-0.25, 1, 0.25, 1), value = {{0, 0}, {1, 12*u.MPa}} } },
     time = { mode = "static", steps = 4 }, stop = function(sim) return sim.cracks.tension + sim.cracks.shear > 1 end,
+    fracture = { path = path },
   }
   sim:run()
   local at, list = {}, {}
@@ -141,14 +142,17 @@ local function square(first, way)
   end
   return table.concat(list, ", "), alone, #list
 end
-local expected
-for first = 0, 3 do
-  for _, way in ipairs { 1, -1 } do
-    local list, alone, count = square(first, way)
-    expected = expected or list
-    local label = string.format("symmetric square, outline from corner %d, %s: ", first + 1, way > 0 and "counter-clockwise" or "clockwise")
-    talus.check.above(label .. "failed joints", count, 3)
-    talus.check.equal(label .. "failed joints without a mirror image", alone, 0)
-    talus.check.truth(label .. "the same as from the first", list == expected)
+for _, path in ipairs { "mesh", "tracked" } do
+  local expected
+  for first = 0, 3 do
+    for _, way in ipairs { 1, -1 } do
+      local list, alone, count = square(first, way, path)
+      expected = expected or list
+      local label = string.format("symmetric square, outline from corner %d, %s, path = \"%s\": ", first + 1,
+                                  way > 0 and "counter-clockwise" or "clockwise", path)
+      talus.check.above(label .. "failed joints", count, 3)
+      talus.check.equal(label .. "failed joints without a mirror image", alone, 0)
+      talus.check.truth(label .. "the same as from the first", list == expected)
+    end
   end
 end

@@ -1,0 +1,152 @@
+#include "fracture/crack_tracking.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unordered_set>
+
+#include "fracture/criterion.h"
+
+namespace talus {
+
+namespace {
+
+// Stresses around a tip are weighted by exp(-r²/2l²) and cos⁴ of the angle to the direction that is tried: the first
+// takes in enough blocks for a mean (some hundred), the second tells directions apart.
+constexpr double reach = 2;        // l, in mean lengths of the bonds at the tip
+constexpr double farthest = 3;     // in l
+constexpr double degree = std::numbers::pi / 180, step = 2 * degree;
+constexpr int most_steps = 50;     // to either side of the last bond: 30 degrees that it may be off the crack, and the 70.5 of mode II
+constexpr double least_part = 0.5; // of the highest utilisation at a tip that a bond must have to be chosen
+constexpr double alike = 1e-6;     // of a bond's length: symmetric bonds beside a path both fail
+
+constexpr int none = -1, several = -2;
+
+int end_at(const Joint& joint, int node) { return joint.node[0] == node ? 0 : 1; }
+
+struct Nearby {
+  Vec2 towards;  // from the tip, of length 1
+  double weight;
+  Vec3 stress;   // Pa, in reference axes
+};
+
+double hoop_stress(const std::vector<Nearby>& nearby, const Vec2& ahead) {
+  double sum = 0, weights = 0;
+  for (const Nearby& block : nearby) {
+    const double cosine = std::max(0.0, block.towards.dot(ahead));
+    const double weight = block.weight * cosine * cosine * cosine * cosine;
+    weights += weight;
+    sum += weight * (block.stress[0] * ahead.y() * ahead.y() + block.stress[1] * ahead.x() * ahead.x() -
+                     2 * block.stress[2] * ahead.x() * ahead.y());
+  }
+  return weights > 0 ? sum / weights : 0;
+}
+
+// The direction of the highest hoop stress ahead of `along`; none where nothing is pulled.
+std::optional<Vec2> highest_hoop_stress(const std::vector<Nearby>& nearby, const Vec2& along) {
+  const Vec2 axis = along.normalized();
+  const auto turned = [&](double angle) { return Rotation::of(angle).turn(axis); };
+  std::vector<double> tried;
+  for (int k = -most_steps; k <= most_steps; ++k) tried.push_back(hoop_stress(nearby, turned(k * step)));
+  const auto most = std::max_element(tried.begin(), tried.end());
+  if (*most <= 0) return {};
+  double at = double(most - tried.begin()) - most_steps;
+  if (most != tried.begin() && most + 1 != tried.end()) {  // the top of the parabola through three
+    const double before = most[-1], after = most[1], bend = 2 * *most - before - after;
+    if (bend > 0) at += (after - before) / (2 * bend);
+  }
+  return turned(at * step);
+}
+
+}  // namespace
+
+CrackTracking::CrackTracking(Model& model, const std::vector<std::vector<int>>& bonds_at_node)
+    : model_(model), bonds_at_node_(bonds_at_node), bonds_of_block_(model.shapes.size()) {
+  for (std::size_t j = 0; j < model.joints.size(); ++j)
+    for (const int block : {model.joints[j].a, model.joints[j].b}) bonds_of_block_[block].push_back(int(j));
+}
+
+std::vector<int> CrackTracking::lead(const std::vector<int>& due) {
+  const std::vector<int> last = last_bonds();
+  std::vector<int> chosen;
+  for (const int j : due) lead(j, last, chosen);
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  return chosen;
+}
+
+// Per node, the one failed bond, or joint that never was one, that ends there.
+std::vector<int> CrackTracking::last_bonds() const {
+  std::vector<int> last(model_.nodes.position.size(), none);
+  for (std::size_t j = 0; j < model_.joints.size(); ++j)
+    if (model_.joints[j].state == JointState::failed)
+      for (const int node : model_.joints[j].node) last[node] = last[node] == none ? int(j) : several;
+  return last;
+}
+
+void CrackTracking::lead(int due, const std::vector<int>& last, std::vector<int>& chosen) {
+  Joint& first = model_.joints[due];
+  const bool at_tip[] = {last[first.node[0]] >= 0, last[first.node[1]] >= 0};
+  const Utilisation by = utilisation(mean_traction(first), model_.strength(first));
+  chosen.push_back(due);
+  if (at_tip[0] == at_tip[1] || by.shear > by.tension) return;
+  const int node = first.node[at_tip[0] ? 0 : 1];
+  const std::optional<Tip> tip = this->tip(node, last[node]);
+  if (!tip) return;
+
+  struct Way {
+    int joint;
+    double across;
+    Vec2 off;
+  };
+  std::vector<Way> ways;
+  for (const int j : bonds_at_node_[node]) {
+    const Joint& joint = model_.joints[j];
+    const bool same = joint.property == first.property && joint.trace == first.trace;
+    if (joint.state != JointState::intact || !same || joint.utilisation < least_part * first.utilisation) continue;
+    const Vec2 way = model_.nodes.position[joint.node[1 - end_at(joint, node)]] - tip->path;
+    const double gone = way.dot(tip->ahead);
+    if (gone > 0) ways.push_back({j, std::abs(cross(tip->ahead, way)), gone * tip->ahead - way});
+  }
+  if (ways.empty()) return;
+  const double nearest =
+      std::min_element(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.across < b.across; })->across;
+  chosen.pop_back();
+  for (const Way& way : ways)
+    if (way.across <= nearest + alike * first.length) {
+      chosen.push_back(way.joint);
+      model_.joints[way.joint].off_path = way.off;
+    }
+}
+
+std::optional<CrackTracking::Tip> CrackTracking::tip(int node, int last) const {
+  const Joint& joint = model_.joints[last];
+  const Vec2 at = model_.nodes.position[node];
+  double length = 0;  // m, l
+  for (const int j : bonds_at_node_[node]) length += reach * model_.joints[j].length / double(bonds_at_node_[node].size());
+
+  // Blocks that intact bonds join, without a way around what is farther.
+  std::vector<int> found;
+  std::unordered_set<int> seen;
+  std::vector<Nearby> nearby;
+  const auto visit = [&](int block) {
+    const Vec2 way = model_.shapes[block].reference_centroid - at;
+    const double distance = way.norm();
+    if (distance > farthest * length || !seen.insert(block).second) return;
+    found.push_back(block);
+    nearby.push_back({way / distance, model_.shapes[block].area * std::exp(-distance * distance / (2 * length * length)),
+                      turn_stress(Rotation::of(-model_.blocks[block].angle), model_.stress(block))});
+  };
+  for (const int j : bonds_at_node_[node])
+    for (const int block : {model_.joints[j].a, model_.joints[j].b}) visit(block);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    for (const int j : bonds_of_block_[found[k]])
+      if (model_.joints[j].state == JointState::intact)
+        for (const int block : {model_.joints[j].a, model_.joints[j].b}) visit(block);
+
+  const std::optional<Vec2> ahead = highest_hoop_stress(nearby, at - model_.nodes.position[joint.node[1 - end_at(joint, node)]]);
+  if (!ahead) return {};
+  return Tip{at + joint.off_path, *ahead};
+}
+
+}  // namespace talus
