@@ -1,5 +1,7 @@
 #include "equations/boundary_terms.h"
 
+#include <unordered_map>
+
 #include "equations/side.h"
 #include "model/gauss.h"
 
@@ -74,11 +76,21 @@ std::array<double, max_dofs> held_velocity(const Model& model, int block, double
 }
 
 void place_held_blocks(Model& model) {
-  for (size_t b = 0; b < model.shapes.size(); ++b)
-    if (model.shapes[b].dofs == 0 && model.held_by[b] >= 0) {
-      model.blocks[b].shift = fixity_displacement(model.scene.fixities[model.held_by[b]], model.time);
-      model.blocks[b].centroid = model.shapes[b].reference_centroid + model.blocks[b].shift;
-    }
+  std::unordered_map<int, Vec2> moved;
+  for (size_t b = 0; b < model.shapes.size(); ++b) {
+    if (model.shapes[b].dofs > 0 || model.held_by[b] < 0) continue;
+    const Vec2 to = fixity_displacement(model.scene.fixities[model.held_by[b]], model.time);
+    if (to == model.blocks[b].shift) continue;
+    moved[int(b)] = to - model.blocks[b].shift;
+    model.blocks[b].shift = to;
+    model.blocks[b].centroid = model.shapes[b].reference_centroid + to;
+  }
+  if (moved.empty()) return;
+  const auto move = [&](int block) { return moved.contains(block) ? moved[block] : Vec2(Vec2::Zero()); };
+  for (Contact& c : model.contacts) {
+    const int next = model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge);
+    c.stretch += (model.vertex[next] - model.vertex[c.global_edge]).normalized().dot(move(c.i) - move(c.j));
+  }
   model.place_vertices();
 }
 

@@ -10,7 +10,7 @@ namespace talus {
 void move_held_blocks(Model& model, double dt);
 std::array<double, max_dofs> held_velocity(const Model& model, int block, double dt);
 
-// Equilibrium: held blocks where their fixity wants them at Model::time.
+// Equilibrium: held blocks where their fixity wants them at Model::time. What touches them slides by as much.
 void place_held_blocks(Model& model);
 
 // Where a force acts on a block: the material point, from the reference centroid, and where that is.

@@ -46,6 +46,11 @@ Restart read_saved(const std::string& file, const std::string& option) {
   }
 }
 
+// However it is written.
+std::string folder_name(const std::string& dir) {
+  return std::filesystem::absolute(dir + "/").lexically_normal().string();
+}
+
 }  // namespace
 
 Session& Session::of(lua_State* L) {
@@ -86,9 +91,10 @@ int Session::execute() {
     if (status != exit_ok) fail(error.what());
   }
   if (options_.estimate && status == exit_ok) status = estimate();
-  for (const auto& run : runs_) finish(*run, outcome);
+  // Functions of the script are called for the last results, and may let Lua collect a simulation: see release(). Models
+  // hold such functions, so that they go before the state does.
+  while (!runs_.empty()) finish(*take(runs_.begin()), outcome);
   write_inputs();
-  runs_.clear();  // models hold Lua functions: before the state goes
   end_time_limit();
   if (status == exit_ok && output_failed_) return exit_run_stopped;
   return status == exit_ok && failed_checks_ > 0 ? exit_check_failed : status;
@@ -207,12 +213,14 @@ void Session::fail(const std::string& message) {
 }
 
 void Session::finish(Run& run, const std::string& outcome) {
+  finishing_ = true;
   try {
     if (run.finish(outcome) && options_.on_end) options_.on_end(run, run.report(outcome));
   } catch (const std::exception& error) {
     fail(error.what());
     output_failed_ = true;
   }
+  finishing_ = false;
 }
 
 void Session::add_study(lua_State* L, int index) {
@@ -239,6 +247,8 @@ void Session::write_inputs() const {
 }
 
 std::shared_ptr<Run> Session::add_run(Scene scene, RunHandlers handlers) {
+  if (finishing_)
+    throw InputError(scene.time.place, "simulation", "to be made by the script", "one made while the last results of another are written");
   check_parameters();
   if (options_.parameters_only) throw ScriptError(ErrorKind::planned, "the parameters are known");
   if (options_.on_study)
@@ -252,6 +262,7 @@ std::shared_ptr<Run> Session::add_run(Scene scene, RunHandlers handlers) {
   auto run = Run::create(std::move(scene), std::move(handlers), settings);
   if (checkpoints_) checkpoints_->check_place(*run);
   ++runs_made_;
+  if (const std::string& dir = run->simulation.model.scene.output.dir; !dir.empty()) output_dirs_.insert(folder_name(dir));
   std::vector<std::string>& notes = run->simulation.notes;
   notes.insert(notes.begin(), notes_.begin(), notes_.end());
   notes_.clear();
@@ -264,9 +275,13 @@ std::shared_ptr<Run> Session::add_run(Scene scene, RunHandlers handlers) {
 
 void Session::release(const std::shared_ptr<Run>& run) {
   const auto found = std::find(runs_.begin(), runs_.end(), run);
-  if (found == runs_.end()) return;
-  finish(*run, "");
-  runs_.erase(found);
+  if (found != runs_.end()) finish(*take(found), "");
+}
+
+std::shared_ptr<Run> Session::take(std::vector<std::shared_ptr<Run>>::iterator at) {
+  const std::shared_ptr<Run> run = *at;
+  runs_.erase(at);
+  return run;
 }
 
 // -o replaces what the scene says; the second and later simulations of a script get <dir>/2, <dir>/3, …
@@ -277,11 +292,8 @@ std::string Session::output_dir(const std::string& wanted, const Place& place) {
   if (!options_.output_dir.empty()) {
     dir = options_.output_dir + (runs_made_ == 0 ? "" : "/" + std::to_string(runs_made_ + 1));
   }
-  if (dir.empty()) return dir;
-  const std::filesystem::path one_name = std::filesystem::absolute(dir + "/").lexically_normal();
-  if (!output_dirs_.insert(one_name.string()).second) {
+  if (!dir.empty() && output_dirs_.contains(folder_name(dir)))
     throw InputError(place, "output.dir", "a folder of its own for each simulation", '"' + dir + "\" again");
-  }
   return dir;
 }
 

@@ -87,12 +87,14 @@ class Session {
   void check_parameters() const;
   std::string output_dir(const std::string& wanted, const Place& place);
   void finish(Run& run, const std::string& outcome);
+  std::shared_ptr<Run> take(std::vector<std::shared_ptr<Run>>::iterator at);  // out of runs_
   void fail(const std::string& message);  // the one that is told
 
   SessionOptions options_;
   lua_State* L_ = nullptr;  // while the script runs
   std::string library_;     // its folder
   std::vector<std::shared_ptr<Run>> runs_;  // made and not released
+  bool finishing_ = false;                  // results are being ended
   std::weak_ptr<Run> latest_;
   std::vector<DeclaredParameter> known_parameters_;
   std::set<std::string> output_dirs_;

@@ -161,6 +161,12 @@ function rules.time(values, bad)
   if not values.t_end or values.t_end == 0 then
     bad("t_end", "a number > 0 (s) in dynamic mode", values.t_end or "nothing")
   end
+  local least = 2^-52*math.max(values.t_end, 1e-100)  -- time does not go on by less, and squares of less are no numbers
+  for _, name in ipairs { "dt", "dt_min", "dt_max" } do
+    if values[name] and values[name] < least then
+      bad(name, ("at least %.3g (s), as time cannot come to t_end = %g by less"):format(least, values.t_end), ("%g"):format(values[name]))
+    end
+  end
   if values.steps then bad("steps", 'mode = "static"', "dynamic: give dt or displacement_ratio") end
   if values.dt_min and values.dt_max and values.dt_min > values.dt_max then
     bad("dt_min", ("at most dt_max = %g (s)"):format(values.dt_max), ("%g"):format(values.dt_min))

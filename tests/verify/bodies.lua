@@ -54,3 +54,27 @@ local bedded = talus.simulation {
 bedded:run()
 talus.check.near("row of blocks on a real joint: way after 1.5 s, m", bedded.probes.c.ux,
                  g*(math.sin(slope) - math.tan(10*u.deg)*math.cos(slope))*1.5^2/2, { rel = 1e-4 })
+
+-- A shear box in static steps: a block under a pressure of 1 MPa on a slab that is moved by 2 mm, or moved itself. Coulomb: the reaction
+-- is N tan φ, and what the slab is moved with is friction's and what block and contacts store.
+for _, order in ipairs { 1, "rigid" } do
+  for _, moved in ipairs { "slab", "block" } do
+    local phi, pull = 32*u.deg, { { {0, 0}, {1, 2*u.mm} }, 0 }
+    local rock = talus.material { name = "rock", density = 2500, young = 10*u.GPa, poisson = 0.2 }
+    local stop = moved == "slab" and { on = talus.line(0, 0.5, 0, 1) } or { on = talus.line(0, 0.5, 0, 1), displacement = pull }
+    local sim = talus.simulation {
+      contact = talus.joint { friction = phi },
+      regions = { talus.region { name = "slab", outline = talus.rect(-0.5, 0, 1.5, 0.5), material = rock, held = true },
+                  talus.region { name = "block", outline = talus.rect(0, 0.5, 1, 1), material = rock, order = order } },
+      fix     = { talus.fix { name = "stop", region = "block", on = stop.on, x = true, y = false, displacement = stop.displacement },
+                  moved == "slab" and talus.fix { name = "slab", region = "slab", displacement = pull } or nil },
+      loads   = { talus.pressure { region = "block", on = "top", value = 1*u.MPa } },
+      time    = { mode = "static", steps = 10 },
+    }
+    sim:run()
+    local label = string.format("static shear box, %s moved, order %s: ", moved, order)
+    -- The pressure follows the top, which bends by some 1e-4.
+    talus.check.near(label .. "reaction, N", math.abs(sim.reactions.stop[1]), 1*u.MPa*math.tan(phi), { rel = 2e-4 })
+    talus.check.below(label .. "unexplained, of the work put in", math.abs(sim.energy.unexplained/sim.energy.scale), 1e-6)
+  end
+end
