@@ -271,14 +271,18 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
   found.push_back(pair.contact(best.block_v, best.vertex, best.block_e, best.edge, best.gap, true));
 }
 
-// Corners that coincide give the same contact twice, once from each block: the second is dropped.
+// Corners that coincide along a face, however deep they press, give the same contact twice, once from each block: the second is
+// dropped. Else the two would share a load, half of which is lost where one of them goes.
 void drop_twins(const Pair& pair, size_t first, std::vector<Contact>& found) {
   for (size_t c = first; c < found.size(); ++c) {
+    const Edge face = pair.edge(found[c].j, found[c].edge);
     const Vec2 p = pair.vertex(found[c].i, found[c].vertex);
-    const double near = corner_part * pair.edge(found[c].j, found[c].edge).length;
     for (size_t other = c + 1; other < found.size();) {
-      const bool twin = found[other].i == found[c].j && (pair.vertex(found[other].i, found[other].vertex) - p).norm() <= near &&
-                        pair.edge(found[c].j, found[c].edge).normal.dot(pair.edge(found[other].j, found[other].edge).normal) < -0.99;
+      const Edge facing = pair.edge(found[other].j, found[other].edge);
+      const Vec2 apart = pair.vertex(found[other].i, found[other].vertex) - p;
+      const double near = 2 * corner_part * std::max(face.length, facing.length);
+      const bool twin = found[other].i == found[c].j && std::abs(face.along.dot(apart)) <= near &&
+                        std::abs(face.normal.dot(apart)) <= pair.meeting() && face.normal.dot(facing.normal) < -0.99;
       if (twin)
         found.erase(found.begin() + long(other));
       else
