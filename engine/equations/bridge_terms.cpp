@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equations/bridge_law.h"
 #include "equations/jump.h"
 
 namespace talus {
@@ -30,37 +31,16 @@ Pull pull(const Bridge& bridge, double x, const Law& strength) {
   return {f, (strength(beyond + step) - f) / step, f / x};
 }
 
-// Strengths of a joint above what its contact carries in the end.
-class Laws {
- public:
-  Laws(const Model& model, const Joint& joint)
-      : property_(model.scene.properties[joint.property]), intact_(model.strength(joint)) {}
-
-  double tension(double slip, double opening) const {
-    return std::max(0.0, left(slip, opening).tension - property_.residual.tension);
-  }
-  double cohesion(double slip, double opening) const {
-    return std::max(0.0, left(slip, opening).cohesion - property_.residual.cohesion);
-  }
-
- private:
-  Strength left(double slip, double opening) const { return property_.reduction(intact_, {slip, opening, 0}); }
-
-  const JointProperty& property_;
-  Strength intact_;
-};
-
 // Without traction, on its line, on the falling branch.
 int branch(const Bridge& bridge, double x) { return x <= 0 ? 0 : x < bridge.reach + bridge.worn ? 1 : 2; }
 int sided(const Bridge& bridge, double s) { return s < 0 ? -branch(bridge, -s) : branch(bridge, s); }
-double worn_by(const Bridge& bridge, double x) { return std::max(bridge.worn, x - bridge.reach); }
 
 struct Pulls {
   Pull across, along;
 };
 
 Pulls pulls(const Model& model, const Joint& joint, const JointPoint& point, double opening, double slip) {
-  const Laws laws(model, joint);
+  const BridgeLaws laws(model, joint);
   const double x = opening - point.across.origin, s = slip - point.along.origin;
   // Each wears by the other too, at once: what is found is still in equilibrium when its wear is kept (wear_bridges).
   const double across = worn_by(point.across, x), along = worn_by(point.along, std::abs(s));
@@ -77,7 +57,7 @@ Strength contact_part(const JointProperty& property, const Joint& joint) {
 
 Bridge begun(double jump, double traction, double strength, double stiffness) {
   const double carried = std::clamp(traction, -strength, strength);
-  return {.origin = jump - carried / stiffness, .reach = strength / stiffness, .worn = 0};
+  return {.origin = jump - carried / stiffness, .reach = strength / stiffness, .worn = 0, .now = carried / stiffness, .traction = carried};
 }
 
 }  // namespace
@@ -85,7 +65,7 @@ Bridge begun(double jump, double traction, double strength, double stiffness) {
 void begin_bridges(const Model& model, Joint& joint) {
   const JointProperty& property = model.scene.properties[joint.property];
   if (!property.reduction) return;
-  const Laws laws(model, joint);
+  const BridgeLaws laws(model, joint);
   const double tension = laws.tension(0, 0), cohesion = laws.cohesion(0, 0), stiffness = model.stiffness_per_area(property, joint.a, joint.b);
   joint.bridged = tension > 0 || cohesion > 0;
   const BondTraction t = mean_traction(joint);
@@ -93,16 +73,18 @@ void begin_bridges(const Model& model, Joint& joint) {
   for (JointPoint& point : joint.points) {
     point.across = begun(point.opening, normal, tension, stiffness);
     point.along = begun(point.slip, shear, cohesion, stiffness);
+    point.across.traction = point.normal;  // as the bond pulled here, from which the way to equilibrium is booked
+    point.along.traction = point.shear;
   }
 }
 
 void wear_bridges(const Model& model, Joint& joint) {
   if (!joint.bridged) return;
-  const Laws laws(model, joint);
+  const BridgeLaws laws(model, joint);
   joint.bridged = false;
   for (JointPoint& point : joint.points) {
-    point.across.worn = worn_by(point.across, point.opening - point.across.origin);
-    point.along.worn = worn_by(point.along, std::abs(point.slip - point.along.origin));
+    point.across.worn = worn_by(point.across, point.across.now);
+    point.along.worn = worn_by(point.along, std::abs(point.along.now));
     joint.bridged = joint.bridged || laws.tension(point.along.worn, point.across.worn) > 0 ||
                     laws.cohesion(point.along.worn, point.across.worn) > 0;
   }
@@ -179,8 +161,8 @@ void BridgeTerms::watch(const Model& model) {
     const auto [at, first] = turns_.try_emplace(slots.joint);
     for (size_t p = 0; p < joint.points.size(); ++p) {
       const JointPoint& point = joint.points[p];
-      const std::array now = {branch(point.across, point.opening - point.across.origin),
-                              sided(point.along, point.slip - point.along.origin)};
+      const std::array now = {branch(point.across, point.across.now),
+                              sided(point.along, point.along.now)};
       Turns& turns = at->second[p];
       for (size_t k = 0; k < now.size(); ++k) {
         const bool turned = !first && now[k] != turns.branch[k];
@@ -197,8 +179,10 @@ void BridgeTerms::store_tractions(Model& model) const {
     if (!joint.bridged) continue;
     for (JointPoint& point : joint.points) {
       const auto [across, along] = pulls(model, joint, point, point.opening, point.slip);
-      point.normal = across.traction;
-      point.shear = along.traction;
+      point.across.now = point.opening - point.across.origin;
+      point.along.now = point.slip - point.along.origin;
+      point.normal = point.across.traction = across.traction;
+      point.shear = point.along.traction = along.traction;
     }
   }
 }
@@ -207,8 +191,7 @@ double bridge_energy(const Joint& joint) {
   double sum = 0;
   if (!joint.bridged) return sum;
   for (const JointPoint& point : joint.points)
-    sum += point.weight / 2 * (point.normal * std::max(0.0, point.opening - point.across.origin) +
-                               point.shear * (point.slip - point.along.origin));
+    sum += point.weight / 2 * (point.across.traction * std::max(0.0, point.across.now) + point.along.traction * point.along.now);
   return sum;
 }
 
@@ -216,7 +199,8 @@ double bridge_work(const Joint& now, const Joint& then) {
   double sum = 0;
   for (size_t p = 0; p < now.points.size(); ++p) {
     const JointPoint &n = now.points[p], &t = then.points[p];
-    sum += n.weight / 2 * ((n.normal + t.normal) * (n.opening - t.opening) + (n.shear + t.shear) * (n.slip - t.slip));
+    for (Bridge JointPoint::*way : {&JointPoint::across, &JointPoint::along})
+      sum += n.weight / 2 * ((n.*way).traction + (t.*way).traction) * ((n.*way).now - (t.*way).now);
   }
   return sum;
 }

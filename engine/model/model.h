@@ -96,9 +96,11 @@ enum class CrackKind : std::uint8_t { none, initiated, propagated, coalesced };
 // Half a failed bond that still carries tension or cohesion while it opens or slides: traction over jump, in one direction.
 // It goes up to its strength over `reach`, along a line; then down the law of the joint's property; back along a line.
 struct Bridge {
-  double origin = 0;  // m, jump without traction
-  double reach = 0;   // m, jump beyond it at which the strength is reached, unworn
-  double worn = 0;    // m, most jump beyond that
+  double origin = 0;    // m, jump without traction
+  double reach = 0;     // m, jump beyond it at which the strength is reached, unworn
+  double worn = 0;      // m, most jump beyond that
+  double now = 0;       // m, jump beyond the origin; in motion of y = X + (θ-½)Δt v, where steps look at it
+  double traction = 0;  // Pa
 };
 
 struct JointPoint {  // an integration point of a joint, and its state

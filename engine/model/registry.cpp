@@ -119,10 +119,12 @@ void visit_state(JointPoint& point, StateVisitor& v) {
 }
 
 void visit_state(Bridge& bridge, StateVisitor& v) {
-  auto& [origin, reach, worn] = bridge;
+  auto& [origin, reach, worn, now, traction] = bridge;
   v("origin", origin);
   v("reach", reach);
   v("worn", worn);
+  v("now", now);
+  v("bridge_traction", traction);
 }
 
 void visit_state(Joint& joint, StateVisitor& v) {

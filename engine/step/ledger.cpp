@@ -238,8 +238,14 @@ BridgeBooking::BridgeBooking(const Model& model) {
 }
 
 void BridgeBooking::book(const Model& model, Ledger& ledger) const {
-  for (const auto& [j, then] : before_)
-    ledger.fracture_work += bridge_work(model.joints[j], then) - (bridge_energy(model.joints[j]) - bridge_energy(then));
+  double taken = 0;
+  for (const auto& [j, then] : before_) taken += bridge_work(model.joints[j], then);
+  book(model, taken, ledger);
+}
+
+void BridgeBooking::book(const Model& model, double taken, Ledger& ledger) const {
+  ledger.fracture_work += taken;
+  for (const auto& [j, then] : before_) ledger.fracture_work -= bridge_energy(model.joints[j]) - bridge_energy(then);
 }
 
 LoadStepBooking::LoadStepBooking(const Model& model, const Supports& supports, double time, bool unloaded)

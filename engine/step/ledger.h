@@ -77,7 +77,8 @@ class ContactBooking {
 class BridgeBooking {
  public:
   explicit BridgeBooking(const Model& model);
-  void book(const Model& model, Ledger& ledger) const;
+  void book(const Model& model, Ledger& ledger) const;  // work of the mean tractions along the jumps
+  void book(const Model& model, double taken, Ledger& ledger) const;
 
  private:
   std::vector<std::pair<int, Joint>> before_;

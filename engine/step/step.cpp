@@ -109,6 +109,7 @@ StepReport Stepper::dynamic_step(double most) {
       if (fracture_) {
         released = released_energy();
         bridge_booking.emplace(model_);
+        bridge_motion_.begin(model_);
       }
 
       // 3. Open–close: everything linear once, then contacts until their law is met.
@@ -119,8 +120,8 @@ StepReport Stepper::dynamic_step(double most) {
         assemble(scheme, false);
         if (on_assembled) on_assembled(scheme, system_, contacts_);
         result = solve(dt, d);
-        // The gas gives way as the rock does: the same again with the pressure of the volume it leads to.
-      } while (result.missed || (gas_ && result.converged && !gas_->agrees(moved_blocks(model_, scheme, d))));
+      } while (result.missed || (result.converged && !settled(scheme, d)));
+      if (bridge_motion_.gives_up()) result.converged = false;
       report.iterations = result.iterations;
       report.residual = result.residual;
       if (!result.converged) break;
@@ -147,7 +148,7 @@ StepReport Stepper::dynamic_step(double most) {
     attempt.keep();
     if (fracture_) {
       ledger_.fracture_work += released;
-      bridge_booking->book(model_, ledger_);
+      bridge_booking->book(model_, bridge_motion_.keep(model_), ledger_);
       fracture_->weaken();
       report.failures = int(fracture_->events().size());
       if (report.failures > 0) step_size_.broken(model_);
@@ -195,7 +196,7 @@ const std::vector<int>& Stepper::fractures() const {
 
 int Stepper::initial_cracks() {
   prepare_bonds();
-  store_tractions();
+  joints_.store_tractions(model_);
   fracture_->judge();
   const std::vector<int> due = fracture_->choose(false);
   fracture_->fail(due, model_.time);
@@ -203,9 +204,11 @@ int Stepper::initial_cracks() {
   return int(due.size());
 }
 
-void Stepper::store_tractions() {
-  joints_.store_tractions(model_);
-  if (fracture_) bridges_.store_tractions(model_);
+// The gas gives way as the rock does: else the same again with the pressure of the volume that d leads to. And with the branches of
+// softening laws that it leads to.
+bool Stepper::settled(const Scheme& scheme, const Vector& d) {
+  if (gas_ && !gas_->agrees(moved_blocks(model_, scheme, d))) return false;
+  return !bridge_motion_.any() || bridge_motion_.gives_up() || bridge_motion_.agrees(d);
 }
 
 // Whether bonds fail where the step leads and it is to be taken again: unless a wave crosses no block in it, when a bond
@@ -213,12 +216,12 @@ void Stepper::store_tractions() {
 bool Stepper::breaks(std::vector<BlockState>& moved, double dt, StepReport& report) {
   PartTimer timer(totals_, "fracture");
   model_.blocks.swap(moved);
-  store_tractions();
+  joints_.store_tractions(model_);
   report.utilisation = std::max(report.utilisation, fracture_->judge());
   const std::vector<int> due = dt < fracture_->least_transit() ? std::vector<int>{} : fracture_->choose(true);
   model_.blocks.swap(moved);
   if (due.empty()) return false;
-  store_tractions();
+  joints_.store_tractions(model_);
   fracture_->fail(due, model_.time + dt);
   return true;
 }
@@ -263,8 +266,12 @@ void Stepper::assemble(const Scheme& scheme, bool stick) {
   if (!hold_.empty()) add_hold(model_, hold_, system_);
   if (plan_.bonds) joints_.add(model_, poses_, scheme, system_);
   if (fracture_) {
-    bridges_.find_slots(model_, system_.matrix);
-    bridges_.add(model_, poses_, scheme, system_);
+    if (scheme.dt > 0) {
+      bridge_motion_.add(model_, poses_, scheme, system_);
+    } else {
+      bridges_.find_slots(model_, system_.matrix);
+      bridges_.add(model_, poses_, scheme, system_);
+    }
   }
   if (plan_.fixities) supports_.add(model_, poses_, scheme, system_);
   if (plan_.viscous) add_viscous_edges(model_, poses_, scheme, system_);
@@ -342,6 +349,7 @@ void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const 
   if (motion)  // nothing of it is work
     for (size_t b = 0; b < moved.size(); ++b)
       if (islands_.rest(int(b)) != Rest::moves) model_.blocks[b].velocity.fill(0);
+  if (motion && bridge_motion_.any()) ledger_.numerical_flow += bridge_motion_.shift_loss(model_, scheme, d);
   if (motion) book_motion({model_, poses_, system_, supports_, scheme, d, moved}, ledger_);
   model_.blocks = std::move(moved);
   for (int b = 0; b < int(model_.shapes.size()); ++b)
@@ -351,7 +359,8 @@ void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const 
     if (motion) booking->book(model_, contacts_.rows(), scheme, d, ledger_);
   }
   ledger_.ahead = scheme.bond_ahead;
-  if (plan_.bonds && (!motion || !fracture_)) store_tractions();  // else they are, to be judged
+  if (plan_.bonds && (!motion || !fracture_)) joints_.store_tractions(model_);  // else they are, to be judged
+  if (fracture_ && !motion) bridges_.store_tractions(model_);
 }
 
 std::vector<Vec2> Stepper::reactions() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/detection.h"
+#include "equations/bridge_motion.h"
 #include "equations/bridge_terms.h"
 #include "equations/contact_terms.h"
 #include "equations/joint_terms.h"
@@ -87,7 +88,7 @@ class Stepper {
   bool breaks(std::vector<BlockState>& moved, double dt, StepReport& report);
   double released_energy() const;
   double elastic_energy(double ahead) const;
-  void store_tractions();
+  bool settled(const Scheme& scheme, const Vector& d);
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
   IslandResult solve(double dt, Vector& d);  // dt = 0: equilibrium
   void widen();
@@ -106,7 +107,8 @@ class Stepper {
   StepSize step_size_;
   ContactSearch search_;
   JointTerms joints_;
-  BridgeTerms bridges_;
+  BridgeTerms bridges_;           // in equilibrium
+  BridgeMotion bridge_motion_;
   Supports supports_;
   ContactTerms contacts_;
   std::vector<Contact> contacts_before_;  // the attempt at a step
