@@ -51,16 +51,16 @@ Pulls pulls(const Model& model, const Joint& joint, const JointPoint& point, dou
   return both;
 }
 
-Strength contact_part(const JointProperty& property, const Joint& joint) {
-  return {joint.remaining.friction, std::min(joint.remaining.cohesion, property.residual.cohesion), 0};
-}
-
 Bridge begun(double jump, double traction, double strength, double stiffness) {
   const double carried = std::clamp(traction, -strength, strength);
   return {.origin = jump - carried / stiffness, .reach = strength / stiffness, .worn = 0, .now = carried / stiffness, .traction = carried};
 }
 
 }  // namespace
+
+Strength contact_part(const Model& model, const Joint& joint) {
+  return {joint.remaining.friction, std::min(joint.remaining.cohesion, model.scene.properties[joint.property].residual.cohesion), 0};
+}
 
 void begin_bridges(const Model& model, Joint& joint) {
   const JointProperty& property = model.scene.properties[joint.property];
@@ -69,12 +69,10 @@ void begin_bridges(const Model& model, Joint& joint) {
   const double tension = laws.tension(0, 0), cohesion = laws.cohesion(0, 0), stiffness = model.stiffness_per_area(property, joint.a, joint.b);
   joint.bridged = tension > 0 || cohesion > 0;
   const BondTraction t = mean_traction(joint);
-  const double normal = std::max(0.0, t.normal), shear = t.shear - taken_over(t, contact_part(property, joint)).shear;
+  const double normal = std::max(0.0, t.normal), shear = t.shear - taken_over(t, contact_part(model, joint)).shear;
   for (JointPoint& point : joint.points) {
     point.across = begun(point.opening, normal, tension, stiffness);
     point.along = begun(point.slip, shear, cohesion, stiffness);
-    point.across.traction = point.normal;  // as the bond pulled here, from which the way to equilibrium is booked
-    point.along.traction = point.shear;
   }
 }
 

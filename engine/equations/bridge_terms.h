@@ -65,6 +65,8 @@ class BridgeSearch {
   BridgeTerms& bridges_;
 };
 
+// What the contact of a bridged joint's faces carries.
+Strength contact_part(const Model& model, const Joint& joint);
 // A joint that fails now is bridged, with the tractions stored at its points beyond what its contact takes over.
 void begin_bridges(const Model& model, Joint& joint);
 // The present jumps of a bridged joint become its worst; it is bridged no more when nothing is left.

@@ -33,7 +33,8 @@ class Closure {
     for (const int j : joints) {
       const Joint& joint = model.joints[j];
       const BondTraction all = mean_traction(joint);
-      before_.push_back({joint.points, joint.bridged ? all : taken_over(all, joint.remaining), fluxes(model, j)});
+      const Strength faces = joint.bridged ? contact_part(model, joint) : joint.remaining;
+      before_.push_back({joint.points, taken_over(all, faces), fluxes(model, j)});
     }
   }
   double work(const Model& model) const {
@@ -43,9 +44,10 @@ class Closure {
       const std::vector<BondTraction> now_flux = fluxes(model, joints_[k]);
       for (size_t p = 0; p < before.points.size(); ++p) {
         const JointPoint &now = model.joints[joints_[k]].points[p], &then = before.points[p];
+        const double normal = then.normal - before.kept.normal - then.across.traction,
+                     shear = then.shear - before.kept.shear - then.along.traction;
         sum += now.weight / 2 *
-               ((then.normal - before.kept.normal) * (now.opening - then.opening) +
-                (then.shear - before.kept.shear) * (now.slip - then.slip) +
+               (normal * (now.opening - then.opening) + shear * (now.slip - then.slip) +
                 (now_flux[p].normal - before.flux[p].normal) * then.opening +
                 (now_flux[p].shear - before.flux[p].shear) * then.slip);
       }
@@ -56,7 +58,7 @@ class Closure {
  private:
   struct Before {
     JointPoints points;
-    BondTraction kept;  // by contacts, and by a bridge, which books its own work
+    BondTraction kept;  // by contacts; what a bridge carries is its own to book
     std::vector<BondTraction> flux;  // at the points
   };
   std::vector<BondTraction> fluxes(const Model& model, int joint) const {
