@@ -112,8 +112,21 @@ void Fracture::fail(const std::vector<int>& joints, double time) {
   model_.fragment = find_fragments(model_);
 }
 
+void Fracture::add_strain(int block, const Vec3& strain) {
+  BlockShape& shape = model_.shapes[block];
+  before_strain_.push_back({block, shape.initial_stress, model_.added_strain_energy});
+  const Vec3 stress = elasticity(model_.material(block)) * strain;
+  model_.added_strain_energy += shape.area * strain.dot(shape.initial_stress + stress / 2);
+  shape.initial_stress += stress;
+}
+
 void Fracture::heal() {
   if (events_.empty()) return;
+  for (; !before_strain_.empty(); before_strain_.pop_back()) {
+    const Before& before = before_strain_.back();
+    model_.shapes[before.block].initial_stress = before.stress;
+    model_.added_strain_energy = before.energy;
+  }
   for (const int j : events_) {
     Joint& joint = model_.joints[j];
     joint.state = JointState::intact;

@@ -21,7 +21,9 @@ class Fracture {
   std::vector<int> choose(bool motion);
   // They fail, with the tractions that they have, and join the events.
   void fail(const std::vector<int>& joints, double time);
-  // Makes what failed since the last clear_events() whole again.
+  // A block goes on with this strain beside its own, as an initial stress.
+  void add_strain(int block, const Vec3& strain);
+  // Makes what failed since the last clear_events() whole again, and takes back the strains that were added.
   void heal();
   // Remaining strengths of what has failed, by the slips and openings there are.
   void weaken();
@@ -31,7 +33,10 @@ class Fracture {
 
   // Joints that failed since the last clear_events(): in this step.
   const std::vector<int>& events() const { return events_; }
-  void clear_events() { events_.clear(); }
+  void clear_events() {
+    events_.clear();
+    before_strain_.clear();
+  }
   void restored();  // the model has been put back
 
  private:
@@ -42,6 +47,12 @@ class Fracture {
   std::vector<std::vector<int>> at_node_;  // bonds, by Model::nodes
   std::vector<int> breakable_, events_;
   std::optional<CrackTracking> tracking_;
+  struct Before {
+    int block;
+    Vec3 stress;    // Pa
+    double energy;  // J/m, Model::added_strain_energy
+  };
+  std::vector<Before> before_strain_;
   double least_transit_ = 0;
 };
 

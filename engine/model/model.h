@@ -265,6 +265,8 @@ class Model {
   Vec2 origin = Vec2::Zero();
   double extent = 1;  // m, half the height of the scene's box (half the width where it is flat)
   double time = 0;
+  // J/m: what blocks store beside Σ A ε·(σ₀ + ½ C ε), as strains have been added to their own (Fracture::add_strain).
+  double added_strain_energy = 0;
   long revision = 0;  // raised by changed()
 
   // Per block, the number of the group it sleeps in, or 0: awake. Empty where the scene does not let anything sleep

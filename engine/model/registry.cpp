@@ -32,6 +32,14 @@ void set_bends(const Bends& bends, Model& model) {
   }
 }
 
+// Where bonds can break blocks get more of it in motion.
+void visit_initial_stress(Model& model, StateVisitor& v) {
+  std::vector<Vec3> stress;
+  for (const BlockShape& shape : model.shapes) stress.push_back(shape.initial_stress);
+  v("initial_stress", stress);
+  for (size_t b = 0; b < stress.size(); ++b) model.shapes[b].initial_stress = stress[b];
+}
+
 }  // namespace
 
 void visit_state(Model& model, StateVisitor& v) {
@@ -47,6 +55,8 @@ void visit_state(Model& model, StateVisitor& v) {
   v("viscous_edges", model.viscous_edges);
   v("probes", model.probes);
   v("highest", model.highest);
+  visit_initial_stress(model, v);
+  v("added_strain_energy", model.added_strain_energy);
   visit_values(model.scene, v);
   v.constant("origin", model.origin);
   v.constant("extent", model.extent);
@@ -90,7 +100,6 @@ void visit_state(BlockShape& shape, StateVisitor& v) {
   for (int* number : {&dofs, &dof_begin, &vertex_begin, &vertex_end, &region, &material}) v("shape", *number);
   for (double* number : {&area, &length, &radius, &xx, &yy, &xy}) v("shape", *number);
   v("reference_centroid", reference_centroid);
-  v("initial_stress", initial_stress);
   v("quadratic", quadratic);
 }
 

@@ -53,6 +53,7 @@ double strain_energy(const Model& model, const JointTerms& joints, const Support
     if (shape.second_order())
       sum += bend_energy(model, int(b), Eigen::Map<const Vec6>(bend_ahead(shape, model.blocks[b], ahead).data()));
   }
+  sum += model.added_strain_energy;
   for (const Joint& joint : model.joints) sum += bridge_energy(joint);
   return sum + (model.joints.empty() ? 0 : joints.energy(model, ahead)) + supports.energy(model, ahead);
 }

@@ -141,9 +141,10 @@ StepReport Stepper::raise_load(double to, bool first) {
 StepReport Stepper::break_bonds(const std::vector<int>& due) {
   const double most = fracture_->judge();
   const LoadStepBooking booking(model_, supports_, model_.time, false);
-  fracture_->fail(due, model_.time);
+  released_ = 0;
+  fail(due, model_.time, false);
   search_.update(model_, 0);
-  const double released = released_energy();
+  const double released = released_ - contacts_of_events();
   const Closure closure(model_, joints_, due);
   const BridgeBooking bridges(model_);
   Restored at_failure(model_);

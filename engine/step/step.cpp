@@ -86,14 +86,14 @@ StepReport Stepper::dynamic_step(double most) {
   if (fracture_) fracture_->clear_events();
   if (gas_) gas_->detonate();
   for (double dt = std::min(next_dt(), most);; dt = std::min(next_dt(), most), ++report.cuts) {
-    effort_ = 0;
+    effort_ = released_ = 0;
     const Scheme scheme = this->scheme(dt);
     if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
     // 1. Loads, fixities and prescribed motions belong to this step's times; see Scheme.
     if (plan_.held_blocks) move_held_blocks(model_, dt);
     if (gas_) gas_->begin_step(dt);
-    if (fracture_ && dt < fracture_->least_transit()) fracture_->fail(fracture_->choose(true), model_.time);
+    if (fracture_ && dt < fracture_->least_transit()) fail(fracture_->choose(true), model_.time, true);
 
     Vector d;
     IslandResult result;
@@ -107,7 +107,7 @@ StepReport Stepper::dynamic_step(double most) {
         search_.update(model_, dt);
       }
       if (fracture_) {
-        released = released_energy();
+        released = released_ - contacts_of_events();
         bridge_booking.emplace(model_);
         bridge_motion_.begin(model_);
       }
@@ -222,22 +222,34 @@ bool Stepper::breaks(std::vector<BlockState>& moved, double dt, StepReport& repo
   model_.blocks.swap(moved);
   if (due.empty()) return false;
   joints_.store_tractions(model_);
-  fracture_->fail(due, model_.time + dt);
+  fail(due, model_.time + dt, true);
   return true;
 }
 
-// What bonds that have failed in this step stored at its start, less what the contacts that take over begin with.
-double Stepper::released_energy() const {
+// In motion the blocks beside keep as strain what the jump of their bond was to them. Where they strain more than their bond would let
+// them, as in an impact on few blocks, its potential is below nought: without it, and without that strain, they would have more energy.
+void Stepper::fail(const std::vector<int>& due, double time, bool motion) {
+  if (due.empty()) return;
+  const double before = elastic_energy(ledger_.ahead);
+  if (motion)
+    for (const int j : due) {
+      const auto [of_a, of_b] = joints_.strain_of_jump(model_, j, ledger_.ahead);
+      fracture_->add_strain(model_.joints[j].a, of_a);
+      fracture_->add_strain(model_.joints[j].b, of_b);
+    }
+  fracture_->fail(due, time);
+  released_ += before - elastic_energy(ledger_.ahead);
+}
+
+// J/m, with which the contacts begin that take over from bonds that have failed in this step.
+double Stepper::contacts_of_events() const {
   const auto& events = fracture_->events();
   if (events.empty()) return 0;
-  double sum = 0;
   std::vector<char> fails(model_.joints.size(), 0);
-  for (const int j : events) {
-    sum += joints_.energy_of(model_, j, ledger_.ahead) - bridge_energy(model_.joints[j]);
-    fails[j] = 1;
-  }
+  for (const int j : events) fails[j] = 1;
+  double sum = 0;
   for (const Contact& c : model_.contacts)
-    if (c.joint >= 0 && fails[c.joint]) sum -= contact_energy(c);
+    if (c.joint >= 0 && fails[c.joint]) sum += contact_energy(c);
   return sum;
 }
 

@@ -86,7 +86,8 @@ class Stepper {
   StepReport break_bonds(const std::vector<int>& due);
   [[noreturn]] void give_up(const Equilibrium& search) const;
   bool breaks(std::vector<BlockState>& moved, double dt, StepReport& report);
-  double released_energy() const;
+  void fail(const std::vector<int>& due, double time, bool motion);
+  double contacts_of_events() const;
   double elastic_energy(double ahead) const;
   bool settled(const Scheme& scheme, const Vector& d);
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
@@ -124,6 +125,7 @@ class Stepper {
   int short_increments_ = 0;  // of load, one after the other
   long revision_ = -1;
   double effort_ = 0;  // of the solves of an attempt at a step, in factors
+  double released_ = 0;  // J/m, that bonds stored which have failed in an attempt, and their blocks through them
 };
 
 }  // namespace talus
