@@ -244,17 +244,39 @@ void add_ready_blocks(Model& model, int region_id, std::vector<FreeEdge>& edges)
   }
 }
 
-// Ready blocks that are bonded where they share a whole edge: corners at the same place, to the bit, are one point.
+// Points that lie within a distance of each other, as one: the first of them.
+class Welded {
+ public:
+  Welded(double distance, std::vector<Vec2>& points) : distance_(distance), points_(points) {}
+  int operator()(const Vec2& p) {
+    const std::int64_t x = square(p.x()), y = square(p.y());
+    for (std::int64_t i = x - 1; i <= x + 1; ++i)
+      for (std::int64_t j = y - 1; j <= y + 1; ++j)
+        if (const auto found = index_.find({i, j}); found != index_.end() && (points_[found->second] - p).norm() <= distance_)
+          return found->second;
+    points_.push_back(p);
+    return index_[{x, y}] = int(points_.size()) - 1;
+  }
+
+ private:
+  std::int64_t square(double x) const { return std::int64_t(std::floor(x / distance_)); }
+  double distance_;  // m
+  std::vector<Vec2>& points_;
+  std::map<std::pair<std::int64_t, std::int64_t>, int> index_;
+};
+
+// Ready blocks that are bonded where they share a whole edge. Corners are in one place that differ by the rounding of what a
+// script works out, far from the origin too.
 Tessellation given_cells(const Region& region) {
+  constexpr double one_place = 1e-9;  // of the region's box
   Tessellation t;
-  std::map<std::pair<double, double>, int> index;
+  Eigen::AlignedBox2d box;
+  for (const Polyline& outline : region.outlines)
+    for (const Vec2& p : outline) box.extend(p);
+  Welded weld(one_place * box.diagonal().norm(), t.points);
   for (const Polyline& outline : region.outlines) {
     std::vector<int>& cell = t.cells.emplace_back();
-    for (const Vec2& p : outline) {
-      const auto [at, added] = index.try_emplace({p.x(), p.y()}, int(t.points.size()));
-      if (added) t.points.push_back(p);
-      cell.push_back(at->second);
-    }
+    for (const Vec2& p : outline) cell.push_back(weld(p));
   }
   try {
     connect(t);

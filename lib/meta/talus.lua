@@ -163,7 +163,7 @@ function talus.grade(fields) end
 ---@field name? string what fixities and loads call it
 ---@field outline? table the region's outline
 ---@field blocks? (table)[]|table instead of outline: one outline for each block
----@field bonded? boolean of ready blocks: those that share a whole edge, corners at the same place to the last digit, are bonded there like those of a mesh
+---@field bonded? boolean of ready blocks: those that share a whole edge, corners at the same place to a 1e-9th of the region, are bonded there like those of a mesh
 ---@field holes? (table)[]|table outlines of holes; a name is given by the shape
 ---@field material talus.material what it is made of
 ---@field joint? talus.joint of its bonds and of contacts between its own blocks

@@ -87,6 +87,9 @@ end
 -- table inside of another.
 function object.new(kind, given, place, path)
   place, path = place or places.here(), path or kind
+  if given == package.loaded.talus then
+    places.fail(place, ("%s: expected a dot, %s { … }, got a colon"):format(path, name_of(kind)))
+  end
   if type(given) ~= "table" or getmetatable(given) ~= nil then
     places.expected({ place = place, path = path }, "a table of fields", given)
   end

@@ -16,7 +16,7 @@ return {
       { name = "blocks", type = "list", of = { type = "outline" }, count = 1,
         doc = "instead of outline: one outline for each block" },
       { name = "bonded", type = "boolean", default = false,
-        doc = "of ready blocks: those that share a whole edge, corners at the same place to the last digit, are bonded there like those"
+        doc = "of ready blocks: those that share a whole edge, corners at the same place to a 1e-9th of the region, are bonded there like those"
             .. " of a mesh" },
       { name = "holes", type = "list", of = { type = "outline" },
         doc = "outlines of holes; a name is given by the shape" },
