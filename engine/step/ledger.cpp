@@ -53,9 +53,9 @@ void book_linear(const BookedStep& s, Ledger& ledger) {
 struct GapRate {
   double gap, rate;  // m, m/s
 };
-GapRate gap_of(const Model& model, const Contact& c) {
-  const Vec2 from = model.vertex[c.global_edge], at = model.vertex[c.global_vertex];
-  const Vec2 to = model.vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)];
+GapRate gap_of(const Model& model, const Contact& c, const std::vector<Vec2>& vertex) {
+  const Vec2 from = vertex[c.global_edge], at = vertex[c.global_vertex];
+  const Vec2 to = vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)];
   const Vec2 normal = -perp(to - from).normalized();
   const double gap = normal.dot(at - from);
   return {gap, normal.dot(model.corner_velocity(c.i, c.vertex) - model.velocity_on_edge(c.j, c.edge, at - gap * normal))};
@@ -159,13 +159,13 @@ double bend(const Model& model, const Contact& c, double seconds) {
   return turn * way;
 }
 
-ContactBooking::ContactBooking(const Model& model, double ahead0, double seconds) {
+ContactBooking::ContactBooking(const Model& model, const std::vector<Vec2>& before, double ahead_before, double seconds) {
   for (const Contact& c : std::span(model.contacts).subspan(size_t(model.sleeping_contacts))) {
-    const auto [gap, rate] = gap_of(model, c);
-    const double place = std::max(0.0, -(gap + c.offset + ahead0 * rate)),
+    const auto [gap, rate] = gap_of(model, c, before);
+    const double place = std::max(0.0, -(gap + c.offset + ahead_before * rate)),
                  pressed = c.normal_force / c.normal_stiffness;
     const bool handed = std::abs(place - pressed) > bend(model, c, seconds) + 1e-6 * model.shapes[c.i].length;
-    before_.push_back({gap, pressed, c.stretch, c.slip, handed});
+    before_.push_back({gap_of(model, c, model.vertex).gap, pressed, c.stretch, c.slip, handed});
   }
 }
 
@@ -181,7 +181,7 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
     const Before& b = before_[k];
     if ((c.normal_force > 0 || b.pressed > 0) && !b.handed) {
       const double pressed = c.normal_force / c.normal_stiffness;
-      ledger.numerical_flow += -c.normal_force * (gap_of(model, c).gap - b.gap) -
+      ledger.numerical_flow += -c.normal_force * (gap_of(model, c, model.vertex).gap - b.gap) -
                                c.normal_stiffness / 2 * (squared(pressed) - squared(b.pressed));
     }
     if (c.stretch != 0 || b.stretch != 0)

@@ -60,7 +60,8 @@ void book_motion(const BookedStep& step, Ledger& ledger);
 // Contacts of what is awake before and after a step; `ahead0`: ahead of the step before.
 class ContactBooking {
  public:
-  ContactBooking(const Model& model, double ahead0, double seconds);
+  // `before`: vertices before X was moved as the step changed, when y was `ahead_before` from it.
+  ContactBooking(const Model& model, const std::vector<Vec2>& before, double ahead_before, double seconds);
   // The model is that after the step, with the contacts' new forces; `d` and `rows` are the step's.
   void book(const Model& model, const std::vector<ContactRows>& rows, const Scheme& scheme, const Vector& d,
             Ledger& ledger) const;

@@ -13,6 +13,7 @@
 #include "step/damping.h"
 #include "step/part_timer.h"
 #include "step/restored.h"
+#include "step/step_change.h"
 #include "step/update.h"
 
 namespace talus {
@@ -35,6 +36,10 @@ class Attempt {
   ~Attempt() {
     if (kept_) return;
     again();
+    if (!blocks_.empty()) {
+      model_.blocks = std::move(blocks_);
+      model_.place_vertices();
+    }
     ledger_ = before_;
     if (fracture_) fracture_->heal();
     for (const auto& [block, velocity] : held_) model_.blocks[block].velocity = velocity;
@@ -42,6 +47,7 @@ class Attempt {
   Attempt(const Attempt&) = delete;
   Attempt& operator=(const Attempt&) = delete;
   void keep() { kept_ = true; }
+  void keep_blocks() { blocks_ = model_.blocks; }
   void again() {  // the same step, with the bonds that have failed in it
     model_.contacts.resize(size_t(model_.sleeping_contacts));
     model_.contacts.insert(model_.contacts.end(), contacts_.begin(), contacts_.end());
@@ -53,6 +59,7 @@ class Attempt {
   const Ledger before_;
   std::vector<Contact>& contacts_;
   Fracture* fracture_;
+  std::vector<BlockState> blocks_;  // where the step has moved them before it is solved
   std::vector<std::pair<size_t, std::array<double, max_dofs>>> held_;
   bool kept_ = false;
 };
@@ -90,6 +97,11 @@ StepReport Stepper::dynamic_step(double most) {
     const Scheme scheme = this->scheme(dt);
     if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
+    moved_y_ = scheme.bond_ahead - ledger_.ahead;
+    if (moved_y_ != 0) {
+      attempt.keep_blocks();
+      change_step(scheme.bond_ahead);
+    }
     // 1. Loads, fixities and prescribed motions belong to this step's times; see Scheme.
     if (plan_.held_blocks) move_held_blocks(model_, dt);
     if (gas_) gas_->begin_step(dt);
@@ -357,7 +369,7 @@ void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const 
     return;
   }
   std::optional<ContactBooking> booking;
-  if (motion) booking.emplace(model_, ledger_.ahead, scheme.dt);
+  if (motion) booking.emplace(model_, moved_y_ != 0 ? vertex_before_ : model_.vertex, ledger_.ahead - moved_y_, scheme.dt);
   if (motion)  // nothing of it is work
     for (size_t b = 0; b < moved.size(); ++b)
       if (islands_.rest(int(b)) != Rest::moves) model_.blocks[b].velocity.fill(0);
@@ -378,6 +390,16 @@ void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const 
 std::vector<Vec2> Stepper::reactions() {
   prepare_bonds();
   return support_reactions(model_, supports_, model_.time);
+}
+
+// What the way from X to y holds is the integrator's.
+void Stepper::change_step(double ahead) {
+  const double before = kinetic_energy(model_, 0) + elastic_energy(0);
+  vertex_before_ = model_.vertex;
+  model_.blocks = keep_deformation(model_, ledger_.ahead - ahead);
+  model_.place_vertices();
+  ledger_.ahead = ahead;
+  ledger_.numerical_flow += before - kinetic_energy(model_, 0) - elastic_energy(0);
 }
 
 void Stepper::begin_ledger() {

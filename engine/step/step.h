@@ -86,6 +86,7 @@ class Stepper {
   StepReport break_bonds(const std::vector<int>& due);
   [[noreturn]] void give_up(const Equilibrium& search) const;
   bool breaks(std::vector<BlockState>& moved, double dt, StepReport& report);
+  void change_step(double ahead);
   void fail(const std::vector<int>& due, double time, bool motion);
   double contacts_of_events() const;
   double elastic_energy(double ahead) const;
@@ -124,6 +125,8 @@ class Stepper {
   std::string collapse_;
   int short_increments_ = 0;  // of load, one after the other
   long revision_ = -1;
+  double moved_y_ = 0;  // s, along the velocities, as the step changed
+  std::vector<Vec2> vertex_before_;  // it did
   double effort_ = 0;  // of the solves of an attempt at a step, in factors
   double released_ = 0;  // J/m, that bonds stored which have failed in an attempt, and their blocks through them
 };
