@@ -61,8 +61,7 @@ const Contact* predecessor(const Model& model, const Contact& c, const std::vect
 
 // m, how deep a contact is at the places y = X + (θ-½)Δt v that the scheme looks at (theory, § 2).
 double depth_ahead(const Model& model, const Contact& c, double dt) {
-  const Numerics& numerics = model.scene.numerics;
-  const double shift = numerics.integrator == Integrator::theta ? (numerics.theta - 0.5) * dt : 0;
+  const double shift = judged_ahead(model.scene.numerics, dt);
   const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c), foot = at - c.gap * normal;
   return -(c.gap + c.offset) - shift * normal.dot(model.corner_velocity(c.i, c.vertex) - model.velocity_on_edge(c.j, c.edge, foot));
 }

@@ -12,6 +12,14 @@ namespace talus {
 // Part of its length by which a block is taken larger when neighbours are sought: what a block moves a step at
 // ten times the default displacement ratio in a scene one block high.
 constexpr double search_margin = 0.05;
+// What moves past another body and comes nearer than this to it touches it, in units of the smaller block's √area; what no contact
+// knows of may be so deep.
+constexpr double passing_tolerance = 0.01;
+
+// s, from the end of a step to where the bodies come to at its velocities in y, the places that contacts are judged at (theory, § 2).
+inline double judged_ahead(const Numerics& numerics, double dt) {
+  return numerics.integrator == Integrator::theta ? (numerics.theta - 0.5) * dt : 0;
+}
 
 // Pairs of blocks (a < b, sorted) of the list whose boxes, grown by their motion in `dt` and by a part of their
 // length, meet. Hierarchical grid: linear in the number of blocks whatever their sizes. Pairs of held blocks
