@@ -268,6 +268,15 @@ bool ContactSearch::unmoved(const Model& model, double dt) {
   return same;
 }
 
+std::vector<std::pair<int, int>> ContactSearch::near(const Model& model, const std::vector<BlockState>& states, double dt) const {
+  std::vector<int> awake;
+  for (const int b : surface_blocks_)
+    if (!model.sleeps(b)) awake.push_back(b);
+  return broad_phase(model, states, awake, dt);
+}
+
+bool ContactSearch::bonded(int a, int b) const { return bonded_.contains(pair_key(a, b)); }
+
 void ContactSearch::update(Model& model, double dt) {
   const int intact = intact_joints_;
   find_surface(model);
@@ -278,18 +287,14 @@ void ContactSearch::update(Model& model, double dt) {
   if (unmoved(model, dt) && intact == intact_joints_) return;
   std::vector<Contact> now;
   std::vector<MeetingCorners> meeting;
-  std::vector<int> awake;
-  for (const int b : surface_blocks_)
-    if (!model.sleeps(b)) awake.push_back(b);
-  std::vector<std::pair<int, int>> pairs = broad_phase(model, awake, dt);
-  for (const auto& [a, b] : pairs)
-    if (!bonded_.contains(pair_key(a, b))) find_contacts(model, surface_, a, b, dt, now, meeting);
+  near_ = near(model, model.blocks, dt);
+  for (const auto& [a, b] : near_)
+    if (!bonded(a, b)) find_contacts(model, surface_, a, b, dt, now, meeting);
   drop_points(model, meeting, bonded_, now);
   std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
   carry_over(model, dt, now);
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());
-  if (!model.asleep.empty()) near_ = std::move(pairs);
   if (dt > 0 && dt < shorter * last_dt_) forgive_depth(model, dt);
 }
 

@@ -90,6 +90,7 @@ class Stepper {
   void store_tractions();
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
   IslandResult solve(double dt, Vector& d);  // dt = 0: equilibrium
+  bool overlooks(double dt, double displacement, const Vector& d, const std::vector<BlockState>& moved);
   void widen();
   void assemble(const Scheme& scheme, bool stick);
   void keep_rest(std::vector<BlockState>& moved);
