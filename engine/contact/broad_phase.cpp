@@ -48,9 +48,10 @@ void BoxGrid::fill(std::vector<Box> boxes) {
   }
 }
 
-std::vector<std::pair<int, int>> broad_phase(const Model& model, const std::vector<int>& blocks, double dt) {
+std::vector<std::pair<int, int>> broad_phase(const Model& model, const std::vector<BlockState>& states, const std::vector<int>& blocks,
+                                             double dt) {
   std::vector<Box> boxes;
-  for (const int b : blocks) boxes.push_back(swept_box(model, b, model.blocks[b].velocity, dt));
+  for (const int b : blocks) boxes.push_back(swept_box(model, b, states[b].velocity, dt));
   BoxGrid grid;
   grid.fill(std::move(boxes));
   std::vector<std::pair<int, int>> pairs;

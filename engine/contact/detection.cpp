@@ -21,6 +21,10 @@ Vec2 edge_normal(const Model& model, const Contact& c) {
   return -perp(model.vertex[begin + model.next_vertex(c.j, c.edge)] - model.vertex[begin + c.edge]).normalized();
 }
 
+double gap_now(const Model& model, const Contact& c) {
+  return edge_normal(model, c).dot(model.vertex[c.global_vertex] - model.vertex[c.global_edge]);
+}
+
 template <class AModel>
 auto awake_contacts(AModel& model) {
   return std::span(model.contacts).subspan(size_t(model.sleeping_contacts));
@@ -61,8 +65,7 @@ const Contact* predecessor(const Model& model, const Contact& c, const std::vect
 
 // m, how deep a contact is at the places y = X + (θ-½)Δt v that the scheme looks at (theory, § 2).
 double depth_ahead(const Model& model, const Contact& c, double dt) {
-  const Numerics& numerics = model.scene.numerics;
-  const double shift = numerics.integrator == Integrator::theta ? (numerics.theta - 0.5) * dt : 0;
+  const double shift = judged_ahead(model.scene.numerics, dt);
   const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c), foot = at - c.gap * normal;
   return -(c.gap + c.offset) - shift * normal.dot(model.corner_velocity(c.i, c.vertex) - model.velocity_on_edge(c.j, c.edge, foot));
 }
@@ -130,6 +133,8 @@ void carry_over(const Model& model, double dt, std::vector<Contact>& now) {
       if (const auto found = ended.find(key); !old && found != ended.end()) old = predecessor(model, *c, found->second);
     if (old) {
       carry(*old, *c);
+      // Deeper by the other block's face, which lies a little otherwise: not a load.
+      if (old->i == c->j) c->offset += std::max(0.0, gap_now(model, *old) - c->gap);
       c->load_shear = std::numeric_limits<double>::quiet_NaN();
     } else {
       c->offset = born_with(model, *c, dt);
@@ -269,6 +274,15 @@ bool ContactSearch::unmoved(const Model& model, double dt) {
   return same;
 }
 
+std::vector<std::pair<int, int>> ContactSearch::near(const Model& model, const std::vector<BlockState>& states, double dt) const {
+  std::vector<int> awake;
+  for (const int b : surface_blocks_)
+    if (!model.sleeps(b)) awake.push_back(b);
+  return broad_phase(model, states, awake, dt);
+}
+
+bool ContactSearch::bonded(int a, int b) const { return bonded_.contains(pair_key(a, b)); }
+
 void ContactSearch::update(Model& model, double dt) {
   const int intact = intact_joints_;
   find_surface(model);
@@ -279,18 +293,14 @@ void ContactSearch::update(Model& model, double dt) {
   if (unmoved(model, dt) && intact == intact_joints_) return;
   std::vector<Contact> now;
   std::vector<MeetingCorners> meeting;
-  std::vector<int> awake;
-  for (const int b : surface_blocks_)
-    if (!model.sleeps(b)) awake.push_back(b);
-  std::vector<std::pair<int, int>> pairs = broad_phase(model, awake, dt);
-  for (const auto& [a, b] : pairs)
-    if (!bonded_.contains(pair_key(a, b))) find_contacts(model, surface_, a, b, dt, now, meeting);
+  near_ = near(model, model.blocks, dt);
+  for (const auto& [a, b] : near_)
+    if (!bonded(a, b)) find_contacts(model, surface_, a, b, dt, now, meeting);
   drop_points(model, meeting, bonded_, now);
   std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
   carry_over(model, dt, now);
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());
-  if (!model.asleep.empty()) near_ = std::move(pairs);
   if (dt > 0 && dt < shorter * last_dt_) forgive_depth(model, dt);
 }
 

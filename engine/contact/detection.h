@@ -12,11 +12,20 @@ namespace talus {
 // Part of its length by which a block is taken larger when neighbours are sought: what a block moves a step at
 // ten times the default displacement ratio in a scene one block high.
 constexpr double search_margin = 0.05;
+// What moves past another body and comes nearer than this to it touches it, in units of the smaller block's √area; what no contact
+// knows of may be so deep.
+constexpr double passing_tolerance = 0.01;
 
-// Pairs of blocks (a < b, sorted) of the list whose boxes, grown by their motion in `dt` and by a part of their
-// length, meet. Hierarchical grid: linear in the number of blocks whatever their sizes. Pairs of held blocks
+// s, from the end of a step to where the bodies come to at its velocities in y, the places that contacts are judged at (theory, § 2).
+inline double judged_ahead(const Numerics& numerics, double dt) {
+  return numerics.integrator == Integrator::theta ? (numerics.theta - 0.5) * dt : 0;
+}
+
+// Pairs of blocks (a < b, sorted) of the list whose boxes, grown by their motion in `dt` at the velocities of `states` and by a
+// part of their length, meet. Hierarchical grid: linear in the number of blocks whatever their sizes. Pairs of held blocks
 // are left out.
-std::vector<std::pair<int, int>> broad_phase(const Model& model, const std::vector<int>& blocks, double dt);
+std::vector<std::pair<int, int>> broad_phase(const Model& model, const std::vector<BlockState>& states, const std::vector<int>& blocks,
+                                             double dt);
 
 // The outlines of bodies: of blocks, and of blocks bonded to each other, all by global vertex.
 struct Surface {
@@ -31,8 +40,12 @@ class ContactSearch {
   // Replaces the contacts of what is awake by the candidates of the next step, in order of (vertex, edge). Contacts that go
   // on keep their state; one that hands over to a neighbouring edge or to its partner's vertex passes it on.
   void update(Model& model, double dt);
-  // Pairs of blocks that came near each other in the last search. Kept where something may sleep.
+  // Pairs of blocks that came near each other in the last search.
   const std::vector<std::pair<int, int>>& near() const { return near_; }
+  // Those that would at other velocities.
+  std::vector<std::pair<int, int>> near(const Model& model, const std::vector<BlockState>& states, double dt) const;
+  bool bonded(int a, int b) const;
+  const Surface& surface() const { return surface_; }
   // The surface is found anew: states of joints were set from outside.
   void forget() {
     intact_joints_ = -1;

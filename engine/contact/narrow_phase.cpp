@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "contact/detection.h"
 
@@ -22,6 +23,8 @@ constexpr double least_shared = 0.1;
 // face, slides on it and does not catch on the face round its end: coplanar blocks pass their load on without a snag.
 constexpr double flush_part = 1e-4;
 constexpr double grazing_slope = 0.1;  // it moves along the face, not onto it
+// What comes to the line of an edge farther than this beyond the edge's ends passes it by, in units of the smaller block's √area.
+constexpr double beside_part = passing_tolerance;
 
 struct Edge {
   Vec2 from, along, normal;  // unit vectors; normal outward
@@ -32,14 +35,17 @@ struct Edge {
 
 class Pair {
  public:
-  Pair(const Model& model, const Surface& surface, int i, int j, double reach, double dt)
+  // way: m, of the pair past each other in the step, at most.
+  Pair(const Model& model, const Surface& surface, int i, int j, double way, double dt)
       : model_(model),
         surface_(surface),
         i_(i),
         j_(j),
-        reach_(reach),
         dt_(dt),
-        least_(std::min(model.shapes[i].length, model.shapes[j].length)) {}
+        judged_(dt + judged_ahead(model.scene.numerics, dt)),
+        least_(std::min(model.shapes[i].length, model.shapes[j].length)),
+        reach_(search_margin * least_ + way),
+        fast_(way > beside()) {}
 
   int i() const { return i_; }
   int j() const { return j_; }
@@ -97,10 +103,12 @@ class Pair {
   double least() const { return least_; }
   double meeting() const { return meeting_part * least_; }
   double flush() const { return flush_part * least_; }
-  // Change of the gap of corner `v` of `bv` to `face` of `be` during the step, at the present velocities, m.
-  double approach(int bv, int v, int be, const Edge& face) const {
+  double beside() const { return beside_part * least_; }
+  bool fast() const { return fast_; }
+  // Change of the place of corner `v` of `bv` on the block `be` until contacts are judged, at the present velocities, m.
+  Vec2 way(int bv, int v, int be) const {
     const Vec2 p = vertex(bv, v);
-    return dt_ * face.normal.dot(model_.velocity_at(bv, p) - model_.velocity_at(be, p));
+    return judged_ * (model_.velocity_at(bv, p) - model_.velocity_at(be, p));
   }
   // Whether corner `v` of `bv` is flush with edge `e` of `be`, at or beyond its ends, and stays so during the step.
   bool slides_on(int bv, int v, int be, int e) const {
@@ -134,6 +142,21 @@ class Pair {
     if (s < -slack) return s > deepest() && inner(be, e);
     if (s > length + slack) return s < length - deepest() && inner(be, next(be, e));
     return true;
+  }
+
+  // Whether the block `be` has another side between its face at `e` and a corner at `p` below it: what the corner is away from
+  // the face is no depth then.
+  bool behind(int be, int e, const Edge& face, const Vec2& p) const {
+    const Vec2 foot = p - face.gap(p) * face.normal;
+    for (int f = 0; f < model_.vertex_count(be); ++f) {
+      if (f == e || !free(be, f)) continue;
+      const Edge far = edge(be, f);
+      const double from = far.gap(foot), to = far.gap(p);
+      if (from > meeting() || to <= meeting() || to <= from) continue;
+      const double s = far.position(foot + std::max(0.0, from / (from - to)) * (p - foot));
+      if (s >= -beside() && s <= far.length + beside()) return true;
+    }
+    return false;
   }
 
  private:
@@ -171,7 +194,8 @@ class Pair {
   const Model& model_;
   const Surface& surface_;
   int i_, j_;
-  double reach_, dt_, least_;
+  double dt_, judged_, least_, reach_;  // s, s, m, m; judged_: from the start to the places that contacts are judged at
+  bool fast_;                           // may pass an edge by in the step
 };
 
 struct Candidate {
@@ -179,9 +203,17 @@ struct Candidate {
   double gap;
 };
 
+enum class End { first, last };
+
 bool convex(const Pair& pair, int block, int v) {
   const Vec2 p = pair.vertex(block, v);
   return cross(p - pair.vertex(block, pair.previous(block, v)), pair.vertex(block, pair.next(block, v)) - p) > 0;
+}
+
+// Place along an edge of a vertex that is at `s` now and goes `way`: where it comes to the edge's line from outside, if it does.
+double place_met(const Edge& edge, double gap, double s, const Vec2& way) {
+  const double ahead = gap + edge.normal.dot(way);
+  return gap > 0 && ahead < 0 ? s + edge.along.dot(way) * gap / (gap - ahead) : s;
 }
 
 // Where a vertex is inside two edges that share a convex corner it rests on the one it entered last.
@@ -205,13 +237,20 @@ void vertices_on_edges(const Pair& pair, const Model& model, int bv, int be, std
   for (int v = 0; v < model.vertex_count(bv); ++v) {
     if (!pair.exposed(bv, v)) continue;
     const Vec2 p = pair.vertex(bv, v);
+    std::optional<Vec2> way;  // where it is needed
     candidates.clear();
     for (int e = 0; e < model.vertex_count(be); ++e) {
       if (!pair.free(be, e)) continue;
       const Edge edge = pair.edge(be, e);
-      const double gap = edge.gap(p), s = edge.position(p);
+      const double gap = edge.gap(p);
       if (gap > pair.reach() || gap < pair.deepest()) continue;
+      double s = edge.position(p);
+      if (pair.fast() && gap > 0) {
+        if (!way) way = pair.way(bv, v, be);
+        s = place_met(edge, gap, s, *way);
+      }
       if (!pair.within(be, e, s, edge.length)) continue;
+      if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) continue;
       if (gap > -pair.flush() && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
       if (pair.can_rest(bv, v, edge.normal)) candidates.push_back({e, gap});
     }
@@ -240,19 +279,29 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
     if (is_here(found[c]) && found[c].kind == ContactKind::edge_edge) return;
   struct Choice {
     int block_v, vertex, block_e, edge;
-    double gap, ahead;  // m, now and at the end of the step
+    double gap, ahead;  // m, now and where contacts are judged
     double beyond;      // m, from the edge's nearer end, outside it
   };
   std::vector<Choice> choices;
-  const auto consider = [&](int bv, int vertex, int be, int e) {
+  // `end`: of the edge, at which the corners are to meet.
+  const auto consider = [&](int bv, int vertex, int be, int e, End end) {
     if (!pair.free(be, e)) return;
     const Edge edge = pair.edge(be, e);
     if (!pair.can_rest(bv, vertex, edge.normal)) return;
-    const double gap = edge.gap(pair.vertex(bv, vertex)), s = edge.position(pair.vertex(bv, vertex));
-    choices.push_back({bv, vertex, be, e, gap, gap + pair.approach(bv, vertex, be, edge), std::max({0.0, -s, s - edge.length})});
+    const Vec2 p = pair.vertex(bv, vertex), way = pair.way(bv, vertex, be);
+    const double gap = edge.gap(p), ahead = gap + edge.normal.dot(way), s = edge.position(p);
+    if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) return;
+    // Where it comes to the line there is no edge: nothing is met there, and nothing kept apart. Beyond the other end that is for
+    // the corner there to say.
+    const double met = place_met(edge, gap, s, way), past = end == End::first ? -met : met - edge.length;
+    if (ahead < 0 && past > pair.beside()) return;
+    if (ahead < 0 && past < -edge.length && !pair.within(be, e, met, edge.length)) return;
+    choices.push_back({bv, vertex, be, e, gap, ahead, std::max({0.0, -s, s - edge.length})});
   };
-  for (int e : {w, w0}) consider(i, v, j, e);
-  for (int e : {v, v0}) consider(j, w, i, e);
+  consider(i, v, j, w, End::first);
+  consider(i, v, j, w0, End::last);
+  consider(j, w, i, v, End::first);
+  consider(j, w, i, v0, End::last);
   found.erase(std::remove_if(found.begin() + long(first), found.end(), is_here), found.end());
   if (choices.empty()) return;
   const auto flush = [&](const Choice& c) { return pair.slides_on(c.block_v, c.vertex, c.block_e, c.edge); };
@@ -298,9 +347,7 @@ void find_contacts(const Model& model, const Surface& surface, int a, int b, dou
   const auto spin = [&](int k) { return std::abs(model.blocks[k].velocity[2]) / model.shapes[k].length * model.shapes[k].radius; };
   const Vec2 approach(model.blocks[a].velocity[0] - model.blocks[b].velocity[0],
                       model.blocks[a].velocity[1] - model.blocks[b].velocity[1]);
-  const double reach = search_margin * std::min(model.shapes[a].length, model.shapes[b].length) +
-                       1.5 * dt * (approach.norm() + spin(a) + spin(b));
-  const Pair pair(model, surface, a, b, reach, dt);
+  const Pair pair(model, surface, a, b, 1.5 * dt * (approach.norm() + spin(a) + spin(b)), dt);
   const size_t first = found.size();
   vertices_on_edges(pair, model, a, b, found);
   vertices_on_edges(pair, model, b, a, found);

@@ -116,10 +116,12 @@ void Model::place_vertices(int block) {
   const BlockState& state = blocks[block];
   const Rotation rotation = Rotation::of(state.angle);
   const BlockShape& shape = shapes[block];
-  for (int v = shape.vertex_begin; v < shape.vertex_end; ++v)
-    vertex[v] = state.centroid + rotation.turn(stretched(state.strain, reference_vertex[v]));
-  for (int v = shape.vertex_begin; shape.second_order() && v < shape.vertex_end; ++v)
-    vertex[v] += rotation.turn(Bend::sum(corner_bend[v], state.bend));
+  for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) vertex[v] = vertex_at(block, state, rotation, v);
+}
+
+Vec2 Model::vertex_at(int block, const BlockState& state, const Rotation& rotation, int v) const {
+  const Vec2 at = state.centroid + rotation.turn(stretched(state.strain, reference_vertex[v]));
+  return shapes[block].second_order() ? Vec2(at + rotation.turn(Bend::sum(corner_bend[v], state.bend))) : at;
 }
 
 void Model::changed() {

@@ -331,6 +331,8 @@ class Model {
   Vec3 stress(int block, const Vec2& in_block) const;  // at a material point: another only in a second-order block
   void place_vertices();              // vertex from blocks
   void place_vertices(int block);
+  // Where the block would have the corner `v`, an index into `vertex`, in another state.
+  Vec2 vertex_at(int block, const BlockState& state, const Rotation& rotation, int v) const;
   int contact_property(int a, int b) const;
   // Pa/m, normal stiffness of an interface between two blocks, unless it is given per contact: by default then.
   double stiffness_per_area(const JointProperty& property, int a, int b) const;

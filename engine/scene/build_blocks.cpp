@@ -247,9 +247,9 @@ void add_ready_blocks(Model& model, int region_id, std::vector<FreeEdge>& edges)
 // Points that lie within a distance of each other, as one: the first of them.
 class Welded {
  public:
-  Welded(double distance, std::vector<Vec2>& points) : distance_(distance), points_(points) {}
+  Welded(const Vec2& corner, double distance, std::vector<Vec2>& points) : corner_(corner), distance_(distance), points_(points) {}
   int operator()(const Vec2& p) {
-    const std::int64_t x = square(p.x()), y = square(p.y());
+    const std::int64_t x = square(p.x() - corner_.x()), y = square(p.y() - corner_.y());
     for (std::int64_t i = x - 1; i <= x + 1; ++i)
       for (std::int64_t j = y - 1; j <= y + 1; ++j)
         if (const auto found = index_.find({i, j}); found != index_.end() && (points_[found->second] - p).norm() <= distance_)
@@ -260,6 +260,7 @@ class Welded {
 
  private:
   std::int64_t square(double x) const { return std::int64_t(std::floor(x / distance_)); }
+  Vec2 corner_;      // of all points
   double distance_;  // m
   std::vector<Vec2>& points_;
   std::map<std::pair<std::int64_t, std::int64_t>, int> index_;
@@ -273,7 +274,7 @@ Tessellation given_cells(const Region& region) {
   Eigen::AlignedBox2d box;
   for (const Polyline& outline : region.outlines)
     for (const Vec2& p : outline) box.extend(p);
-  Welded weld(one_place * box.diagonal().norm(), t.points);
+  Welded weld(box.min(), one_place * box.diagonal().norm(), t.points);
   for (const Polyline& outline : region.outlines) {
     std::vector<int>& cell = t.cells.emplace_back();
     for (const Vec2& p : outline) cell.push_back(weld(p));

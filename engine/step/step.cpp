@@ -11,6 +11,7 @@
 #include "equations/boundary_terms.h"
 #include "equations/viscous_terms.h"
 #include "step/damping.h"
+#include "step/overlooked.h"
 #include "step/part_timer.h"
 #include "step/restored.h"
 #include "step/step_change.h"
@@ -149,6 +150,12 @@ StepReport Stepper::dynamic_step(double most) {
     if (!result.converged || step_size_.too_far(report.displacement)) {
       step_size_.cut(dt, result.converged ? report.displacement : 0);
       if (step_size_.next(model_.time) < step_size_.least()) give_up(result, dt);
+      ++totals_.cuts;
+      continue;
+    }
+    // Contacts that it went past: shorter, unless it is as short as may be.
+    if (plan_.contacts && step_size_.may_halve(dt) && overlooks(dt, report.displacement, d, moved)) {
+      step_size_.halve(dt);
       ++totals_.cuts;
       continue;
     }
@@ -320,6 +327,11 @@ IslandResult Stepper::solve(double dt, Vector& d) {
   totals_.factorisations += result.factorisations;
   totals_.largest_iterations = std::max(totals_.largest_iterations, result.iterations);
   return result;
+}
+
+bool Stepper::overlooks(double dt, double displacement, const Vector& d, const std::vector<BlockState>& moved) {
+  PartTimer timer(totals_, "contact search");
+  return overlooked(model_, search_, contacts_, d, moved, dt, displacement);
 }
 
 // The blocks of islands in which a contact presses that was not solved for get more of their contacts.

@@ -93,6 +93,7 @@ class Stepper {
   bool settled(const Scheme& scheme, const Vector& d);
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
   IslandResult solve(double dt, Vector& d);  // dt = 0: equilibrium
+  bool overlooks(double dt, double displacement, const Vector& d, const std::vector<BlockState>& moved);
   void widen();
   void assemble(const Scheme& scheme, bool stick);
   void keep_rest(std::vector<BlockState>& moved);

@@ -16,6 +16,9 @@ class StepSize {
   double next(double time) const;  // s, never past t_end
   bool too_far(double displacement) const { return displacement > (automatic_ ? 2 * limit_ : thinnest_); }
   void cut(double dt, double displacement);  // after an attempt of `dt` that was thrown away
+  // An attempt whose contacts were not those that it came to meet is taken again in half of it.
+  bool may_halve(double dt) const { return dt / 2 >= least_; }
+  void halve(double dt) { dt_ = dt / 2; }
   // effort: what the solution took, in factors.
   void accepted(double dt, double displacement, double effort);
   double least() const { return least_; }

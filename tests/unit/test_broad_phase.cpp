@@ -55,7 +55,7 @@ TEST(BroadPhase, FindsWhatBruteForceFinds) {
     for (double dt : {0.0, 0.1}) {
       const auto expected = brute_force(model, dt);
       ASSERT_GT(expected.size(), 100u);
-      EXPECT_EQ(broad_phase(model, all, dt), expected) << seed << " " << dt;
+      EXPECT_EQ(broad_phase(model, model.blocks, all, dt), expected) << seed << " " << dt;
     }
   }
 }
@@ -65,8 +65,8 @@ TEST(BroadPhase, LooksOnlyAtTheBlocksOfTheList) {
   for (int b = 0; b < 6; ++b) test::add_block(model, rectangle(b, 0, 1, 1), 6, 0);
   model.place_vertices();
   using List = std::vector<std::pair<int, int>>;
-  EXPECT_EQ(broad_phase(model, {0, 1, 3, 4}, 0), (List{{0, 1}, {3, 4}}));
-  EXPECT_EQ(broad_phase(model, {}, 0), List{});
+  EXPECT_EQ(broad_phase(model, model.blocks, {0, 1, 3, 4}, 0), (List{{0, 1}, {3, 4}}));
+  EXPECT_EQ(broad_phase(model, model.blocks, {}, 0), List{});
 }
 
 }  // namespace

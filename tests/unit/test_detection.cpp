@@ -104,6 +104,26 @@ TEST(Contacts, NoneBeyondWhatCanClose) {
   EXPECT_EQ(pairs_of(model), (Pairs{{1, 0}}));
 }
 
+// A corner meets the edge that is there where it comes to the edge's line, not the one that it is above as the step begins.
+TEST(Contacts, WhereTheStepLeads) {
+  const auto flown = [](double from, double speed) {
+    Model model = searched({slab, moved(diamond, {from, 1.2})});
+    ContactSearch search;
+    model.blocks[1].velocity = {speed, -2, 0, 0, 0, 0};
+    search.update(model, 0.1);
+    return pairs_of(model);
+  };
+  EXPECT_FALSE(flown(4.5, 10).contains({1, 0}));  // beyond the slab's end before it is as low as its top
+  EXPECT_TRUE(flown(5.5, -10).contains({1, 0}));
+}
+
+// The tip of a wedge close below another is under the upper face of that one too, but not in it.
+TEST(Contacts, NotThroughTheFarSide) {
+  const Model model = searched({{{-3, -0.22}, {1, -0.02}, {-3, -0.02}}, {{0, 0}, {4, 0}, {4, 0.2}}});
+  EXPECT_EQ(pairs_of(model), (Pairs{{0, 1}, {1, 0}}));
+  for (const Contact& c : model.contacts) EXPECT_NEAR(c.gap, 0.02, 1e-12);
+}
+
 // A block in the notch of a U touches its floor and walls from within, not the outside of the walls.
 TEST(Contacts, NonConvexBlocks) {
   const Polyline u = {{0, 0}, {4, 0}, {4, 3}, {3, 3}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};

@@ -1,0 +1,198 @@
+#include "step/overlooked.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "geometry/polygon.h"
+
+namespace talus {
+
+namespace {
+
+using BlockPair = std::pair<int, int>;
+
+// Where bodies are looked at: as the step begins, as it ends, and where contacts are judged, y.
+enum Place { before, after, judged, places };
+
+class Hindsight {
+ public:
+  Hindsight(const Model& model, const ContactSearch& search, const std::vector<BlockState>& moved, double dt)
+      : model_(model), search_(search), moved_(moved), dt_(dt), ahead_(judged_ahead(model.scene.numerics, dt)) {
+    for (const BlockPair& pair : search.near()) add(pair);
+    if (thrown()) {
+      for (const BlockPair& pair : search.near(model, moved, dt + ahead_)) add(pair);
+      std::sort(pairs_.begin(), pairs_.end());
+      pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    }
+    if (pairs_.empty()) return;
+    known_.assign(pairs_.size(), 0);
+    outlines_.resize(model.shapes.size());
+  }
+  bool any() const { return !pairs_.empty(); }
+
+  bool presses_apart(const ContactTerms& contacts, const Vector& d) {
+    for (const ContactRows& row : contacts.rows()) {
+      const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), BlockPair(std::minmax(row.i, row.j)));
+      if (at == pairs_.end() || *at != BlockPair(std::minmax(row.i, row.j))) continue;
+      const Contact& contact = model_.contacts[row.contact];
+      const double pressed = -(row.gap0 + contacts.factor() * row.along(row.normal_i, row.normal_j, d));
+      if (pressed <= 0) continue;
+      double& known = known_[at - pairs_.begin()];
+      known = std::max(known, pressed + contact.offset);
+      if (contact.normal_force <= 0 && !touches(contact, before) && !touches(contact, judged)) return true;
+    }
+    return false;
+  }
+
+  // After presses_apart().
+  bool overlaps() {
+    for (size_t k = 0; k < pairs_.size(); ++k) {
+      const auto [a, b] = pairs_[k];
+      if (lies_in(a, b, known_[k]) || lies_in(b, a, known_[k])) return true;
+    }
+    return false;
+  }
+
+ private:
+  double tolerance(int a, int b) const { return passing_tolerance * std::min(model_.shapes[a].length, model_.shapes[b].length); }
+
+  // m, by which turning and straining moves what is in the block.
+  double turning(int block) const {
+    const BlockState &from = model_.blocks[block], &to = moved_[block];
+    return model_.shapes[block].radius * (std::abs(to.angle - from.angle) + (to.strain - from.strain).norm());
+  }
+  // What does not move past each other farther than may go wrong has nothing to be looked at.
+  void add(const BlockPair& pair) {
+    const auto [a, b] = pair;
+    const Vec2 past = moved_[a].shift - model_.blocks[a].shift - (moved_[b].shift - model_.blocks[b].shift);
+    if (past.norm() + turning(a) + turning(b) > tolerance(a, b) && !search_.bonded(a, b)) pairs_.push_back(pair);
+  }
+  // Whether something was hit so hard that the search could not foresee where to.
+  bool thrown() const {
+    for (int b = 0; b < int(moved_.size()); ++b) {
+      const BlockState &from = model_.blocks[b], &to = moved_[b];
+      const BlockShape& shape = model_.shapes[b];
+      const Vec2 off = to.shift - from.shift - dt_ * Vec2(from.velocity[0], from.velocity[1]);
+      const double turn = to.angle - from.angle - dt_ * from.velocity[2] / shape.length;
+      if (off.norm() + shape.radius * std::abs(turn) > search_margin * shape.length) return true;
+    }
+    return false;
+  }
+
+  struct Outline {
+    Polyline corners;
+    Bounds box;
+  };
+  const Outline& outline(int block, Place place) {
+    Outline& outline = outlines_[block][place];
+    if (!outline.corners.empty()) return outline;
+    const BlockShape& shape = model_.shapes[block];
+    const BlockState state = place == before ? model_.blocks[block] : state_ahead(block, place == judged ? ahead_ : 0);
+    const Rotation rotation = Rotation::of(state.angle);
+    outline.corners.reserve(size_t(model_.vertex_count(block)));
+    for (int k = shape.vertex_begin; k < shape.vertex_end; ++k)
+      outline.corners.push_back(model_.vertex_at(block, state, rotation, k));
+    outline.box = bounds(outline.corners);
+    return outline;
+  }
+  // Whether the circles round two blocks do not meet; those of second order have none.
+  bool far(int a, int b, Place place) const {
+    if (model_.shapes[a].second_order() || model_.shapes[b].second_order()) return false;
+    const double time = place == judged ? ahead_ : 0;
+    const auto centre = [&](const BlockState& state) { return Vec2(state.centroid + time * Vec2(state.velocity[0], state.velocity[1])); };
+    const auto radius = [&](int block) {
+      const BlockState& state = moved_[block];
+      const Vec3 rate(state.velocity[3], state.velocity[4], state.velocity[5]);
+      return model_.shapes[block].radius * (1 + state.strain.norm() + time / model_.shapes[block].length * rate.norm());
+    };
+    return (centre(moved_[a]) - centre(moved_[b])).norm() > radius(a) + radius(b);
+  }
+  // After the step and `time` more, at the velocities it ends with.
+  BlockState state_ahead(int block, double time) const {
+    const BlockShape& shape = model_.shapes[block];
+    BlockState state = moved_[block];
+    const auto& v = state.velocity;
+    state.centroid += time * Vec2(v[0], v[1]);
+    state.angle += time * v[2] / shape.length;
+    state.strain += time / shape.length * Vec3(v[3], v[4], v[5]);
+    for (int k = first_order_dofs; k < shape.rate_count(); ++k) state.bend[k - first_order_dofs] += time * v[k];
+    return state;
+  }
+
+  struct Side {
+    Vec2 at, from, to;            // the vertex; the edge's ends
+    double gap, position, length;
+  };
+  Side side_of(const Contact& c, Place place) {
+    const Polyline& edges = outline(c.j, place).corners;
+    const Vec2 at = outline(c.i, place).corners[c.vertex], from = edges[c.edge], to = edges[model_.next_vertex(c.j, c.edge)];
+    const double length = (to - from).norm();
+    const Vec2 along = (to - from) / length;
+    return {at, from, to, cross(at - from, along), along.dot(at - from), length};
+  }
+
+  // Whether the vertex and the edge of the contact are in one place: the vertex on the edge, or the edge's end on one of the
+  // vertex's own edges.
+  bool touches(const Contact& c, Place place) {
+    const double near = tolerance(c.i, c.j);
+    const Side side = side_of(c, place);
+    if (side.gap <= near && side.position >= -near && side.position <= side.length + near) return true;
+    const Polyline& corners = outline(c.i, place).corners;
+    const size_t last = (size_t(c.vertex) + corners.size() - 1) % corners.size();
+    for (const Vec2& end : {side.from, side.to})
+      for (const Vec2& beside : {corners[last], corners[model_.next_vertex(c.i, c.vertex)]})
+        if (distance_to_segment(side.at, beside, end) <= near) return true;
+    return false;
+  }
+
+  // m, of a point below the surface of the body whose block it is in, or 0. A block may have no more than a corner there.
+  double depth(const Vec2& point, int block, Place place) {
+    const auto& [corners, box] = outline(block, place);
+    if ((point.array() < box.min.array()).any() || (point.array() > box.max.array()).any() || !contains(corners, point)) return 0;
+    const Surface& surface = search_.surface();
+    double least = model_.shapes[block].length;
+    for (int k = 0; k < int(corners.size()); ++k) {
+      const int global = model_.shapes[block].vertex_begin + k;
+      if (surface.free_edge[global])
+        least = std::min(least, distance_to_segment(corners[k], corners[model_.next_vertex(block, k)], point));
+      else if (surface.free_edge[surface.behind[global]])
+        least = std::min(least, (corners[k] - point).norm());
+    }
+    return least;
+  }
+  // Whether a corner of `a` has come into `b`, farther than `known`.
+  bool lies_in(int a, int b, double known) {
+    for (const Place place : {after, judged}) {
+      if (far(a, b, place)) continue;
+      const Polyline& corners = outline(a, place).corners;
+      for (size_t v = 0; v < corners.size(); ++v) {
+        const double come = depth(corners[v], b, place) - tolerance(a, b);
+        if (come > known && come > depth(outline(a, before).corners[v], b, before)) return true;
+      }
+    }
+    return false;
+  }
+
+  const Model& model_;
+  const ContactSearch& search_;
+  const std::vector<BlockState>& moved_;
+  double dt_, ahead_;            // s, of the step; from its end to y
+  std::vector<BlockPair> pairs_;  // that move past each other, sorted
+  std::vector<double> known_;     // m, per pair: depth of the deepest of its contacts that press, as they know it
+  std::vector<std::array<Outline, places>> outlines_;  // per block, those that have been asked for
+};
+
+}  // namespace
+
+bool overlooked(const Model& model, const ContactSearch& search, const ContactTerms& contacts, const Vector& d,
+                const std::vector<BlockState>& moved, double dt, double displacement) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const BlockShape& shape : model.shapes) least = std::min(least, shape.length);
+  if (2 * displacement <= passing_tolerance * least) return false;
+  Hindsight hindsight(model, search, moved, dt);
+  return hindsight.any() && (hindsight.presses_apart(contacts, d) || hindsight.overlaps());
+}
+
+}  // namespace talus
