@@ -1,5 +1,7 @@
 #include "step/step_change.h"
 
+#include <numeric>
+
 #include "equations/block_terms.h"
 #include "fracture/cracks.h"
 
@@ -52,11 +54,20 @@ std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& b
   return bodies;
 }
 
+// Per block: of what hangs together by bonds, which where nothing can break is not known yet.
+std::vector<int> bodies(const Model& model) {
+  if (!model.fragment.empty()) return model.fragment;
+  if (!model.joints.empty()) return find_fragments(model);
+  std::vector<int> own(model.blocks.size());
+  std::iota(own.begin(), own.end(), 0);
+  return own;
+}
+
 }  // namespace
 
 std::vector<BlockState> keep_deformation(const Model& model, double seconds) {
   std::vector<BlockState> blocks = model.blocks;
-  const std::vector<int> body_of = find_fragments(model);
+  const std::vector<int> body_of = bodies(model);
   const std::vector<Body> before = bodies_of(model, blocks, body_of);
   for (size_t b = 0; b < blocks.size(); ++b) {
     const BlockShape& shape = model.shapes[b];
