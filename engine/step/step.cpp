@@ -98,6 +98,7 @@ StepReport Stepper::dynamic_step(double most) {
     const Scheme scheme = this->scheme(dt);
     if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
+    // Another step than the last: y stays, as far as bodies deform.
     moved_y_ = scheme.bond_ahead - ledger_.ahead;
     if (moved_y_ != 0) {
       attempt.keep_blocks();

@@ -126,8 +126,8 @@ class Stepper {
   std::string collapse_;
   int short_increments_ = 0;  // of load, one after the other
   long revision_ = -1;
-  double moved_y_ = 0;  // s, along the velocities, as the step changed
-  std::vector<Vec2> vertex_before_;  // it did
+  double moved_y_ = 0;  // s, by which y would have moved along the velocities as the step changed
+  std::vector<Vec2> vertex_before_;  // X moved for that
   double effort_ = 0;  // of the solves of an attempt at a step, in factors
   double released_ = 0;  // J/m, that bonds stored which have failed in an attempt, and their blocks through them
 };
