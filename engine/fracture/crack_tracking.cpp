@@ -18,7 +18,7 @@ constexpr double farthest = 3;     // in l
 constexpr double degree = std::numbers::pi / 180, step = 2 * degree;
 constexpr int most_steps = 50;     // to either side of the last bond: 30 degrees that it may be off the crack, and the 70.5 of mode II
 constexpr double least_part = 0.5; // of the highest utilisation at a tip that a bond must have to be chosen
-constexpr double alike = 1e-6;     // of a bond's length: symmetric bonds beside a path both fail
+constexpr double same_distance = 1e-6;  // of a bond's length: symmetric bonds beside a path both fail
 
 constexpr int none = -1, several = -2;
 
@@ -113,7 +113,7 @@ void CrackTracking::lead(int due, const std::vector<int>& last, std::vector<int>
       std::min_element(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.across < b.across; })->across;
   chosen.pop_back();
   for (const Way& way : ways)
-    if (way.across <= nearest + alike * first.length) {
+    if (way.across <= nearest + same_distance * first.length) {
       chosen.push_back(way.joint);
       model_.joints[way.joint].off_path = way.off;
     }
