@@ -18,6 +18,7 @@ namespace talus {
 
 struct Ends;
 
+// In equilibrium; in motion: equations/bridge_motion.h.
 class BridgeTerms {
  public:
   void find_slots(const Model& model, const BlockMatrix& matrix);
@@ -53,7 +54,7 @@ class BridgeTerms {
   std::unordered_map<int, std::array<Turns, JointPoints::most>> turns_;  // by joint
 };
 
-// Ends a search for equilibrium wherever it is left: in motion slopes are taken as they are.
+// Ends a search for equilibrium wherever it is left: the next takes slopes as they are.
 class BridgeSearch {
  public:
   explicit BridgeSearch(BridgeTerms& bridges) : bridges_(bridges) {}
