@@ -3,6 +3,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "equations/bridge_terms.h"
 #include "equations/jump.h"
 
 namespace talus {
@@ -81,7 +82,7 @@ void BridgeMotion::add(const Model& model, const Poses& poses, const Scheme& sch
   for (Point& point : points_) {
     const Joint& joint = model.joints[point.joint];
     const Pose &a = poses.blocks[joint.a], &b = poses.blocks[joint.b];
-    const Vec2 n = turned_normal(joint, a, b);
+    const Vec2 n = Rotation::of(joint.path_turn).turn(turned_normal(joint, a, b));
     const std::array axes = {n, perp(n)};
     with_size(touches_second_order(joint), [&](auto size) {
       const double at = joint.points[size_t(point.point)].at;
@@ -191,8 +192,9 @@ double BridgeMotion::keep(Model& model) const {
     at.along.now = point.along[1].to;
     at.across.worn = worn_by(at.across, at.across.now);
     at.along.worn = worn_by(at.along, std::abs(at.along.now));
-    at.normal = at.across.traction = std::max(0.0, on_line(at.across, laws_[p].tension(at.along.worn, at.across.worn)));
-    at.shear = at.along.traction = on_line(at.along, laws_[p].cohesion(at.along.worn, at.across.worn));
+    at.across.traction = std::max(0.0, on_line(at.across, laws_[p].tension(at.along.worn, at.across.worn)));
+    at.along.traction = on_line(at.along, laws_[p].cohesion(at.along.worn, at.across.worn));
+    store_bridge_traction(model.joints[point.joint], at);
   }
   return taken;
 }

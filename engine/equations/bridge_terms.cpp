@@ -58,6 +58,12 @@ Bridge begun(double jump, double traction, double strength, double stiffness) {
 
 }  // namespace
 
+void store_bridge_traction(const Joint& joint, JointPoint& point) {
+  const BondTraction own = from_path(joint, {point.across.traction, point.along.traction});
+  point.normal = own.normal;
+  point.shear = own.shear;
+}
+
 Strength contact_part(const Model& model, const Joint& joint) {
   return {joint.remaining.friction, std::min(joint.remaining.cohesion, model.scene.properties[joint.property].residual.cohesion), 0};
 }
@@ -69,10 +75,12 @@ void begin_bridges(const Model& model, Joint& joint) {
   const double tension = laws.tension(0, 0), cohesion = laws.cohesion(0, 0), stiffness = model.stiffness_per_area(property, joint.a, joint.b);
   joint.bridged = tension > 0 || cohesion > 0;
   const BondTraction t = mean_traction(joint);
-  const double normal = std::max(0.0, t.normal), shear = t.shear - taken_over(t, contact_part(model, joint)).shear;
+  const BondTraction faces = taken_over(t, contact_part(model, joint));
+  const BondTraction carried = to_path(joint, {t.normal - faces.normal, t.shear - faces.shear});
   for (JointPoint& point : joint.points) {
-    point.across = begun(point.opening, normal, tension, stiffness);
-    point.along = begun(point.slip, shear, cohesion, stiffness);
+    const BondTraction jump = to_path(joint, {point.opening, point.slip});
+    point.across = begun(jump.normal, std::max(0.0, carried.normal), tension, stiffness);
+    point.along = begun(jump.shear, carried.shear, cohesion, stiffness);
   }
 }
 
@@ -114,7 +122,7 @@ void BridgeTerms::add_bridge(const Model& model, const Poses& poses, const Ends&
                              const Slots& slots, System& system) const {
   const Joint& joint = model.joints[slots.joint];
   const Pose &a = poses.blocks[joint.a], &b = poses.blocks[joint.b];
-  const Vec2 n = turned_normal(joint, a, b), t = perp(n);
+  const Vec2 n = Rotation::of(joint.path_turn).turn(turned_normal(joint, a, b)), t = perp(n);
   const Jump<size> jump(model, ends, joint, scheme);
   const auto turned = turns_.find(slots.joint);
   MatrixOf<size> kaa = MatrixOf<size>::Zero(), kbb = kaa, kab = kaa;
@@ -176,11 +184,13 @@ void BridgeTerms::store_tractions(Model& model) const {
   for (Joint& joint : model.joints) {
     if (!joint.bridged) continue;
     for (JointPoint& point : joint.points) {
-      const auto [across, along] = pulls(model, joint, point, point.opening, point.slip);
-      point.across.now = point.opening - point.across.origin;
-      point.along.now = point.slip - point.along.origin;
-      point.normal = point.across.traction = across.traction;
-      point.shear = point.along.traction = along.traction;
+      const BondTraction jump = to_path(joint, {point.opening, point.slip});
+      const auto [across, along] = pulls(model, joint, point, jump.normal, jump.shear);
+      point.across.now = jump.normal - point.across.origin;
+      point.along.now = jump.shear - point.along.origin;
+      point.across.traction = across.traction;
+      point.along.traction = along.traction;
+      store_bridge_traction(joint, point);
     }
   }
 }

@@ -66,6 +66,8 @@ class BridgeSearch {
   BridgeTerms& bridges_;
 };
 
+// Of its bridge across and along the path to the point's in the joint's axes.
+void store_bridge_traction(const Joint& joint, JointPoint& point);
 // What the contact of a bridged joint's faces carries.
 Strength contact_part(const Model& model, const Joint& joint);
 // A joint that fails now is bridged, with the tractions stored at its points beyond what its contact takes over.

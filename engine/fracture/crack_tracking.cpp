@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <unordered_set>
 
 #include "fracture/criterion.h"
@@ -17,12 +18,16 @@ constexpr double reach = 2;        // l, in mean lengths of the bonds at the tip
 constexpr double farthest = 3;     // in l
 constexpr double degree = std::numbers::pi / 180, step = 2 * degree;
 constexpr int most_steps = 50;     // to either side of the last bond: 30 degrees that it may be off the crack, and the 70.5 of mode II
-constexpr double least_part = 0.5; // of the highest utilisation at a tip that a bond must have to be chosen
+constexpr double least_part = 0.5; // of the highest utilisation at a tip, by tractions, that a bond must have to be chosen
 constexpr double same_distance = 1e-6;  // of a bond's length: symmetric bonds beside a path both fail
 
 constexpr int none = -1, several = -2;
 
 int end_at(const Joint& joint, int node) { return joint.node[0] == node ? 0 : 1; }
+
+Vec3 stress_in_place(const Model& model, int block) {  // Pa, in reference axes
+  return turn_stress(Rotation::of(-model.blocks[block].angle), model.stress(block));
+}
 
 struct Nearby {
   Vec2 towards;  // from the tip, of length 1
@@ -30,14 +35,17 @@ struct Nearby {
   Vec3 stress;   // Pa, in reference axes
 };
 
+double across(const Vec3& stress, const Vec2& ahead) {
+  return stress[0] * ahead.y() * ahead.y() + stress[1] * ahead.x() * ahead.x() - 2 * stress[2] * ahead.x() * ahead.y();
+}
+
 double hoop_stress(const std::vector<Nearby>& nearby, const Vec2& ahead) {
   double sum = 0, weights = 0;
   for (const Nearby& block : nearby) {
     const double cosine = std::max(0.0, block.towards.dot(ahead));
     const double weight = block.weight * cosine * cosine * cosine * cosine;
     weights += weight;
-    sum += weight * (block.stress[0] * ahead.y() * ahead.y() + block.stress[1] * ahead.x() * ahead.x() -
-                     2 * block.stress[2] * ahead.x() * ahead.y());
+    sum += weight * across(block.stress, ahead);
   }
   return weights > 0 ? sum / weights : 0;
 }
@@ -60,16 +68,39 @@ std::optional<Vec2> highest_hoop_stress(const std::vector<Nearby>& nearby, const
 
 }  // namespace
 
+bool is_tracked(const Model& model, const Joint& joint) {
+  const Scene& scene = model.scene;
+  if (scene.fracture.path != CrackPath::automatic) return scene.fracture.path == CrackPath::tracked;
+  const JointProperty& property = scene.properties[joint.property];
+  const auto of_triangles = [&](int block) { return scene.regions[model.shapes[block].region].mesh.kind == MeshKind::triangles; };
+  return property.softening_compliance > 0 && property.weibull == 0 && of_triangles(joint.a) && of_triangles(joint.b);
+}
+
 CrackTracking::CrackTracking(Model& model, const std::vector<std::vector<int>>& bonds_at_node)
     : model_(model), bonds_at_node_(bonds_at_node), bonds_of_block_(model.shapes.size()) {
   for (std::size_t j = 0; j < model.joints.size(); ++j)
     for (const int block : {model.joints[j].a, model.joints[j].b}) bonds_of_block_[block].push_back(int(j));
 }
 
-std::vector<int> CrackTracking::lead(const std::vector<int>& due) {
+void CrackTracking::judge() {
+  tips_.clear();
   const std::vector<int> last = last_bonds();
+  for (int node = 0; node < int(last.size()); ++node) {
+    if (last[node] < 0) continue;
+    const Tip tip = this->tip(node, last[node]);
+    for (const Way& way : tip.ways) {
+      Joint& joint = model_.joints[way.joint];
+      const Vec3 beside = (stress_in_place(model_, joint.a) + stress_in_place(model_, joint.b)) / 2;
+      const double pull = std::max(tip.hoop_stress, across(beside, tip.ahead));
+      joint.utilisation = std::max(joint.utilisation, utilisation(model_, joint, {pull, 0}));
+    }
+    if (!tip.ways.empty()) tips_.emplace(node, tip);
+  }
+}
+
+std::vector<int> CrackTracking::lead(const std::vector<int>& due) {
   std::vector<int> chosen;
-  for (const int j : due) lead(j, last, chosen);
+  for (const int j : due) lead(j, chosen);
   std::sort(chosen.begin(), chosen.end());
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
@@ -84,42 +115,32 @@ std::vector<int> CrackTracking::last_bonds() const {
   return last;
 }
 
-void CrackTracking::lead(int due, const std::vector<int>& last, std::vector<int>& chosen) {
-  Joint& first = model_.joints[due];
-  const bool at_tip[] = {last[first.node[0]] >= 0, last[first.node[1]] >= 0};
+// A bond that is due joins two cracks, or fails in shear, as it would without a path.
+void CrackTracking::lead(int due, std::vector<int>& chosen) {
+  const Joint& first = model_.joints[due];
+  const std::array at = {tips_.find(first.node[0]), tips_.find(first.node[1])};
+  const bool at_tip[] = {at[0] != tips_.end(), at[1] != tips_.end()};
   const Utilisation by = utilisation(mean_traction(first), model_.strength(first));
+  const bool in_shear = by.shear > by.tension && utilisation(model_, first) >= first.utilisation;
   chosen.push_back(due);
-  if (at_tip[0] == at_tip[1] || by.shear > by.tension) return;
-  const int node = first.node[at_tip[0] ? 0 : 1];
-  const std::optional<Tip> tip = this->tip(node, last[node]);
-  if (!tip) return;
-
-  struct Way {
-    int joint;
-    double across;
-    Vec2 off;
+  if (at_tip[0] == at_tip[1] || in_shear) return;
+  const Tip& tip = at[at_tip[0] ? 0 : 1]->second;
+  const auto serves = [&](const Way& way) {
+    const Joint& joint = model_.joints[way.joint];
+    return joint.property == first.property && joint.trace == first.trace;
   };
-  std::vector<Way> ways;
-  for (const int j : bonds_at_node_[node]) {
-    const Joint& joint = model_.joints[j];
-    const bool same = joint.property == first.property && joint.trace == first.trace;
-    if (joint.state != JointState::intact || !same || joint.utilisation < least_part * first.utilisation) continue;
-    const Vec2 way = model_.nodes.position[joint.node[1 - end_at(joint, node)]] - tip->path;
-    const double gone = way.dot(tip->ahead);
-    if (gone > 0) ways.push_back({j, std::abs(cross(tip->ahead, way)), gone * tip->ahead - way});
-  }
-  if (ways.empty()) return;
-  const double nearest =
-      std::min_element(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.across < b.across; })->across;
+  if (!std::all_of(tip.ways.begin(), tip.ways.end(), serves)) return;
   chosen.pop_back();
-  for (const Way& way : ways)
-    if (way.across <= nearest + same_distance * first.length) {
-      chosen.push_back(way.joint);
-      model_.joints[way.joint].off_path = way.off;
-    }
+  for (const Way& way : tip.ways) {
+    Joint& joint = model_.joints[way.joint];
+    chosen.push_back(way.joint);
+    joint.off_path = way.off;
+    const Vec2 normal = perp(tip.ahead);  // either way: a turn of less than 90 degrees
+    joint.path_turn = std::atan(cross(joint.normal, normal) / joint.normal.dot(normal));
+  }
 }
 
-std::optional<CrackTracking::Tip> CrackTracking::tip(int node, int last) const {
+CrackTracking::Tip CrackTracking::tip(int node, int last) const {
   const Joint& joint = model_.joints[last];
   const Vec2 at = model_.nodes.position[node];
   double length = 0;  // m, l
@@ -135,7 +156,7 @@ std::optional<CrackTracking::Tip> CrackTracking::tip(int node, int last) const {
     if (distance > farthest * length || !seen.insert(block).second) return;
     found.push_back(block);
     nearby.push_back({way / distance, model_.shapes[block].area * std::exp(-distance * distance / (2 * length * length)),
-                      turn_stress(Rotation::of(-model_.blocks[block].angle), model_.stress(block))});
+                      stress_in_place(model_, block)});
   };
   for (const int j : bonds_at_node_[node])
     for (const int block : {model_.joints[j].a, model_.joints[j].b}) visit(block);
@@ -146,7 +167,32 @@ std::optional<CrackTracking::Tip> CrackTracking::tip(int node, int last) const {
 
   const std::optional<Vec2> ahead = highest_hoop_stress(nearby, at - model_.nodes.position[joint.node[1 - end_at(joint, node)]]);
   if (!ahead) return {};
-  return Tip{at + joint.off_path, *ahead};
+  return {*ahead, hoop_stress(nearby, *ahead), ways(node, at + joint.off_path, *ahead)};
+}
+
+std::vector<CrackTracking::Way> CrackTracking::ways(int node, const Vec2& path, const Vec2& ahead) const {
+  struct End {
+    Way way;
+    double across;
+  };
+  double most = 0;
+  for (const int j : bonds_at_node_[node])
+    if (model_.joints[j].state == JointState::intact) most = std::max(most, utilisation(model_, model_.joints[j]));
+  std::vector<End> ends;
+  double nearest = 0;
+  for (const int j : bonds_at_node_[node]) {
+    const Joint& joint = model_.joints[j];
+    if (joint.state != JointState::intact || !is_tracked(model_, joint)) continue;
+    const Vec2 way = model_.nodes.position[joint.node[1 - end_at(joint, node)]] - path;
+    const double gone = way.dot(ahead), across = std::abs(cross(ahead, way));
+    if (gone <= 0 || utilisation(model_, joint) < least_part * most) continue;
+    if (ends.empty() || across < nearest) nearest = across;
+    ends.push_back({{j, gone * ahead - way}, across});
+  }
+  std::vector<Way> found;
+  for (const End& end : ends)
+    if (end.across <= nearest + same_distance * model_.joints[end.way.joint].length) found.push_back(end.way);
+  return found;
 }
 
 }  // namespace talus

@@ -1,36 +1,50 @@
 #pragma once
-// Paths of cracks in tension that do not stray with the mesh. Each bond takes a crack up to 30 degrees off its way, and
-// nothing takes it back: a walk, whose error grows with the root of the number of bonds. A tracked crack has a path beside
-// its bonds. It goes on from where the path was, in the direction of the highest hoop stress around the tip (Erdogan & Sih
-// 1963) in the mean over some blocks, and of the bonds at the tip the one fails that ends nearest to it. When it fails is as
-// without: when the first bond at the tip reaches its strength.
-#include <optional>
+// Paths of cracks in tension that do not follow the mesh. Each bond takes a crack up to 30 degrees off its way, and nothing
+// takes it back: a walk, whose error grows with the root of the number of bonds. And aslant a bond is pulled less: the crack
+// needs more load than without a mesh, on any mesh. A tracked crack has a path beside its bonds. It goes on from where the
+// path was, in the direction of the highest hoop stress around the tip (Erdogan & Sih 1963) in the mean over some blocks,
+// and of the bonds at the tip the one fails that ends nearest to it: when one of them reaches its strength, or the hoop
+// stress does. What still bridges it pulls across the path (Joint::path_turn).
+#include <unordered_map>
 #include <vector>
 
 #include "model/model.h"
 
 namespace talus {
 
+// Whether cracks have a path where this bond fails: as the scene says, or else where bonds stand for a continuum: they soften
+// by a fracture energy, their strengths do not scatter and their blocks are no grains.
+bool is_tracked(const Model& model, const Joint& joint);
+
 class CrackTracking {
  public:
   CrackTracking(Model& model, const std::vector<std::vector<int>>& bonds_at_node);
 
+  // The tips there are. The bonds that lead on from them have the utilisation of the hoop stress where it is higher.
+  void judge();
   // Instead of each bond that is due in tension at the tip of one crack, the bond or bonds there that lead along its path:
-  // their Joint::off_path is written. In order of their numbers.
+  // their Joint::off_path and path_turn are written. In order of their numbers. The model is as it was judged.
   std::vector<int> lead(const std::vector<int>& due);
 
  private:
+  struct Way {
+    int joint;
+    Vec2 off;  // m, reference: from its far end to the path
+  };
   struct Tip {
-    Vec2 path = Vec2::Zero();   // m, reference: where the crack would be without the mesh
-    Vec2 ahead = Vec2::Zero();  // in which it goes on, of length 1
+    Vec2 ahead = Vec2::Zero();  // in which it goes on, reference, of length 1
+    double hoop_stress = 0;     // Pa, there
+    std::vector<Way> ways;      // the bonds nearest to it
   };
   std::vector<int> last_bonds() const;
-  std::optional<Tip> tip(int node, int last) const;
-  void lead(int due, const std::vector<int>& last, std::vector<int>& chosen);
+  Tip tip(int node, int last) const;
+  std::vector<Way> ways(int node, const Vec2& path, const Vec2& ahead) const;
+  void lead(int due, std::vector<int>& chosen);
 
   Model& model_;
   const std::vector<std::vector<int>>& bonds_at_node_;
   std::vector<std::vector<int>> bonds_of_block_;
+  std::unordered_map<int, Tip> tips_;  // by node, at the last judgement
 };
 
 }  // namespace talus

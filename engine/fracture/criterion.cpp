@@ -19,10 +19,11 @@ Utilisation utilisation(const BondTraction& traction, const Strength& strength) 
           part(std::abs(traction.shear) + traction.normal * std::tan(strength.friction), strength.cohesion)};
 }
 
-double utilisation(const Model& model, const Joint& joint) {
+double utilisation(const Model& model, const Joint& joint) { return utilisation(model, joint, mean_traction(joint)); }
+
+double utilisation(const Model& model, const Joint& joint, const BondTraction& traction) {
   const JointProperty& property = model.scene.properties[joint.property];
   const Strength strength = model.strength(joint);
-  const BondTraction traction = mean_traction(joint);
   return property.criterion ? property.criterion(traction, strength) : utilisation(traction, strength).most();
 }
 

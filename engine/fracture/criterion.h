@@ -12,7 +12,8 @@ struct Utilisation {
 // σ/σt, and (|τ| + σ tan φ)/c: both grow in proportion to the load. Infinite where a strength of zero is passed.
 Utilisation utilisation(const BondTraction& traction, const Strength& strength);
 
-// Of a bond with its stored traction, by the criterion of its property.
+// Of a bond by the criterion of its property; with its stored traction, or with another.
 double utilisation(const Model& model, const Joint& joint);
+double utilisation(const Model& model, const Joint& joint, const BondTraction& traction);
 
 }  // namespace talus

@@ -38,18 +38,20 @@ Fracture::Fracture(Model& model) : model_(model), at_node_(model.nodes.position.
       if (breakable_.size() == 1 || transit < least_transit_) least_transit_ = transit;
     }
   }
-  if (model.scene.fracture.path == CrackPath::tracked) tracking_.emplace(model, at_node_);
+  if (std::any_of(breakable_.begin(), breakable_.end(), [&](int j) { return is_tracked(model, model.joints[j]); }))
+    tracking_.emplace(model, at_node_);
   restored();
 }
 
 double Fracture::judge() {
-  double most = 0;
   for (const int j : breakable_) {
     Joint& joint = model_.joints[j];
-    if (joint.state != JointState::intact) continue;
-    joint.utilisation = utilisation(model_, joint);
-    most = std::max(most, joint.utilisation);
+    if (joint.state == JointState::intact) joint.utilisation = utilisation(model_, joint);
   }
+  if (tracking_) tracking_->judge();
+  double most = 0;
+  for (const int j : breakable_)
+    if (model_.joints[j].state == JointState::intact) most = std::max(most, model_.joints[j].utilisation);
   return most;
 }
 
@@ -99,7 +101,7 @@ void Fracture::fail(const std::vector<int>& joints, double time) {
     Joint& joint = model_.joints[j];
     joint.failed_with = mean_traction(joint);
     const Utilisation by = utilisation(joint.failed_with, model_.strength(joint));
-    joint.mode = by.tension >= by.shear ? FailureMode::tension : FailureMode::shear;
+    joint.mode = joint.path_turn != 0 || by.tension >= by.shear ? FailureMode::tension : FailureMode::shear;
     joint.crack = crack_kind(crack_at_node, joint);
     joint.failed_at = time;
     events_.push_back(j);
@@ -134,6 +136,7 @@ void Fracture::heal() {
     joint.crack = CrackKind::none;
     joint.most_opening = joint.most_slip = 0;
     joint.off_path = Vec2::Zero();
+    joint.path_turn = 0;
     joint.bridged = false;
   }
   events_.clear();

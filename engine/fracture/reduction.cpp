@@ -20,8 +20,8 @@ double worn(double wear, double lost, double shape, double energy) { return lost
 ReductionLaw softening(const Softening& law) {
   return [law](const Strength& intact, const JointWear& wear) {
     const double shape = law.exponential ? 1 : 2;
-    const double r = std::hypot(worn(wear.opening, intact.tension - law.residual.tension, shape, law.energy_opening),
-                                worn(wear.slip, intact.cohesion - law.residual.cohesion, shape, law.energy_slip));
+    const double r = worn(wear.opening, intact.tension - law.residual.tension, shape, law.energy_opening) +
+                     worn(wear.slip, intact.cohesion - law.residual.cohesion, shape, law.energy_slip);
     const double part = law.exponential ? std::exp(-r) : std::max(0.0, 1 - r);
     return Strength{between(part, law.residual.friction, intact.friction),
                     between(part, law.residual.cohesion, intact.cohesion),

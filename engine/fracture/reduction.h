@@ -4,9 +4,10 @@
 
 namespace talus {
 
-// With r² = (opening/δ_I)² + (slip/δ_II)² the part 1 - r (linear) or exp(-r) (exponential) of tension and cohesion above
-// the residual is left. The area under each curve is its fracture energy (J/m2): δ = 2G/f or G/f, f the strength that is
-// lost (Hillerborg, Modéer & Petersson 1976; mixed mode after Camanho & Dávila 2002).
+// With r = opening/δ_I + slip/δ_II the part 1 - r (linear) or exp(-r) (exponential) of tension and cohesion above the
+// residual is left. The area under each curve is its fracture energy (J/m2): δ = 2G/f or G/f, f the strength that is lost
+// (Hillerborg, Modéer & Petersson 1976); where both go on in proportion the works W add up to W_I/G_I + W_II/G_II = 1 (the
+// linear criterion of Wu & Reuter 1965).
 struct Softening {
   bool exponential = false;
   double energy_opening = 0, energy_slip = 0;  // G_I, G_II

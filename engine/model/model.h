@@ -146,6 +146,7 @@ struct Joint {
   double most_opening = 0, most_slip = 0;  // m, since it failed
   // m, reference, from its end away from the crack that it carries on to that crack's path: where paths are tracked.
   Vec2 off_path = Vec2::Zero();
+  double path_turn = 0;  // rad, from its normal to that of the path
   bool bridged = false;  // failed, and its property's reduction leaves it more than the residual
   BondKind kind = BondKind::exact;
   double length = 0;                   // m, reference

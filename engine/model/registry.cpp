@@ -138,7 +138,7 @@ void visit_state(Bridge& bridge, StateVisitor& v) {
 
 void visit_state(Joint& joint, StateVisitor& v) {
   auto& [a, b, property, trace, bonded, state, mode, crack, failed_at, failed_with, utilisation, scatter, remaining,
-         most_opening, most_slip, off_path, bridged, kind, length, normal, in_a, in_b, edge_a, edge_b, node, weight_a, weight_b, points] = joint;
+         most_opening, most_slip, off_path, path_turn, bridged, kind, length, normal, in_a, in_b, edge_a, edge_b, node, weight_a, weight_b, points] = joint;
   for (int* number : {&a, &b, &property, &trace, &edge_a, &edge_b, &node[0], &node[1]}) v.constant("joint", *number);
   v.constant("bonded", bonded);
   v.constant("scatter", scatter);
@@ -158,6 +158,7 @@ void visit_state(Joint& joint, StateVisitor& v) {
   v("most_opening", most_opening);
   v("most_slip", most_slip);
   v("off_path", off_path);
+  v("path_turn", path_turn);
   v("bridged", bridged);
   v("points", points);
 }

@@ -265,14 +265,15 @@ struct Numerics {
 };
 
 enum class FailureOrder { critical, all, one };
-enum class CrackPath { mesh, tracked };
+// automatic: tracked where bonds stand for a continuum (fracture/crack_tracking.h).
+enum class CrackPath { automatic, mesh, tracked };
 
 // Which of the bonds that have reached their strength fail at once, before the others are judged anew.
 struct FractureControl {
   FailureOrder order = FailureOrder::critical;  // the most critical and those within `band` of it
   double band = 0.05;       // part of the highest utilisation
   double overshoot = 0.01;  // static: part by which an increment of load may pass the strength of the first bond
-  CrackPath path = CrackPath::mesh;
+  CrackPath path = CrackPath::automatic;
 };
 
 struct Output {

@@ -88,7 +88,11 @@ std::string failed(const Model& model, int id) {
   std::string text = "It failed in " + std::string(joint.mode == FailureMode::shear ? "shear" : "tension") +
                      " at t = " + quantity(joint.failed_at, "s", 4) + ", under " + carried(joint.failed_with) +
                      ". ";
-  text += judged(model, joint, joint.failed_with, joint.utilisation) + kinds[int(joint.crack)];
+  text += judged(model, joint, joint.failed_with, joint.utilisation);
+  if (joint.path_turn != 0)
+    text += "Of the bonds at the tip of its crack it lay nearest to the path, whose normal is " + degrees(std::abs(joint.path_turn)) +
+            " off its own, when the tension across that path or in one of them reached the strength. ";
+  text += kinds[int(joint.crack)];
   return text + "What it has left: " + left_of(joint.remaining) + ". " + faces(model, id);
 }
 
@@ -98,7 +102,9 @@ std::string intact(const Model& model, const Joint& joint) {
   if (!model.scene.properties[joint.property].breaks)
     return "It is bonded and " + load + "Its joint gives no strength: it never fails.";
   std::string text = "It is intact and " + load + judged(model, joint, now, joint.utilisation);
-  if (joint.utilisation > 0)
+  if (joint.utilisation > utilisation(model, joint))  // judged by the tip of a tracked crack
+    text += "A crack that ends at it would go on along it: the tension across that path uses " + per_cent(joint.utilisation) + " of its strength.";
+  else if (joint.utilisation > 0)
     text += "It would fail at " + significant(1 / joint.utilisation, 3) + " times this traction.";
   return text;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equations/bridge_law.h"
 #include "step/restored.h"
 #include "step/step.h"
 
@@ -44,8 +45,9 @@ class Closure {
       const std::vector<BondTraction> now_flux = fluxes(model, joints_[k]);
       for (size_t p = 0; p < before.points.size(); ++p) {
         const JointPoint &now = model.joints[joints_[k]].points[p], &then = before.points[p];
-        const double normal = then.normal - before.kept.normal - then.across.traction,
-                     shear = then.shear - before.kept.shear - then.along.traction;
+        const BondTraction bridged = from_path(model.joints[joints_[k]], {then.across.traction, then.along.traction});
+        const double normal = then.normal - before.kept.normal - bridged.normal,
+                     shear = then.shear - before.kept.shear - bridged.shear;
         sum += now.weight / 2 *
                (normal * (now.opening - then.opening) + shear * (now.slip - then.slip) +
                 (now_flux[p].normal - before.flux[p].normal) * then.opening +

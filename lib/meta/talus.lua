@@ -48,7 +48,7 @@ function talus.joint(fields) end
 
 talus.laws = {}
 
----A failed bond softens as it opens and slides: with r² = (opening/δ_I)² + (slip/δ_II)² tension and cohesion fall to the part 1 - r (linear) or exp(-r) (exponential) of what they were above the residual; δ follows from the fracture energies.
+---A failed bond softens as it opens and slides: with r = opening/δ_I + slip/δ_II tension and cohesion fall to the part 1 - r (linear) or exp(-r) (exponential) of what they were above the residual; δ follows from the fracture energies. What fails in tension holds as cohesion no more than the traction that it failed with.
 ---@param fields talus.softening
 ---@return talus.softening
 function talus.laws.softening(fields) end
@@ -496,7 +496,7 @@ function talus.damping.velocity(fields) end
 ---@field order? "critical"|"all"|"one" which fail before the others are judged anew under the same load: the most critical with those within `band` of it, all, or the most critical alone. In motion a bond waits only for those it shares a corner with
 ---@field band? number in [0, 1); part of the highest utilisation
 ---@field overshoot? number in (0, 1]; static: part of its strength by which an increment of load may overload the first bond
----@field path? "mesh"|"tracked" which bond at the tip of a crack fails in tension: the one that is due, by which a crack strays with the mesh; or the one there that ends nearest to the way of the highest hoop stress, which is followed from where the crack would be without a mesh. `tracked` is for bonds that stand for a continuum, not for grains or scattered strengths
+---@field path? "mesh"|"tracked" which bond at the tip of a crack fails in tension: the one that is due, by which a crack strays with the mesh and needs more load; or the one there that ends nearest to the way of the highest hoop stress, which is followed from where the crack would be without a mesh, as soon as that stress reaches the tension strength. `tracked` is for bonds that stand for a continuum, not for grains or scattered strengths
 
 ---@class talus.output
 ---@field dir? string folder, from where the program runs; `-o` goes before it

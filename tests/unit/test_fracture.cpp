@@ -4,10 +4,12 @@
 #include <limits>
 #include <numeric>
 
+#include "equations/bridge_terms.h"
 #include "fracture/cracks.h"
 #include "fracture/criterion.h"
 #include "fracture/fracture.h"
 #include "fracture/reduction.h"
+#include "hand_model.h"
 #include "small_scene.h"
 
 namespace talus {
@@ -190,6 +192,72 @@ TEST(Reduction, TheAreaUnderASofteningCurveIsItsFractureEnergy) {
   const Softening to_residual = {false, 50, 80, {0.6, 1e6, 0.1e6}};
   EXPECT_NEAR(area(softening(to_residual), false, 1e-3) - 0.1e6 * 1e-3, 50, 1e-3 * 50);
   EXPECT_EQ(softening(to_residual)(rock, {1, 1, 0}).cohesion, 1e6);
+}
+
+// Linear criterion of mixed modes: works in proportion to their fracture energies where the tractions go along the jump.
+TEST(Reduction, InMixedModesTheWorksAddUp) {
+  const ReductionLaw law = softening({false, 50, 80, {0.6, 0, 0}});
+  const double slip = 2 * 80 / rock.cohesion, opening = 2 * 50 / rock.tension;
+  const Strength half = law(rock, {slip / 4, opening / 4, 0});
+  EXPECT_NEAR(half.tension, rock.tension / 2, 1e-9 * rock.tension);
+  EXPECT_NEAR(half.cohesion, rock.cohesion / 2, 1e-9 * rock.cohesion);
+  EXPECT_EQ(law(rock, {0.51 * slip, 0.5 * opening, 0}).tension, 0);
+}
+
+// A vertical joint that has failed in tension on a path turned by 0.5, and opens across that path: what its bridge takes.
+double work_across_path(double turn, const BondTraction& with, const Vec2& way) {
+  Model model = test::two_squares();
+  JointProperty& property = model.scene.properties[0];
+  property.cohesion = rock.cohesion;
+  property.tension = rock.tension;
+  property.friction = rock.friction;
+  property.stiffness = 1e5;  // to its strength in no time
+  property.reduction = softening({false, 50, 50, {0.6, 0, 0}});
+  Joint& joint = model.joints[0];
+  joint.state = JointState::failed;
+  joint.mode = FailureMode::tension;
+  joint.failed_with = with;
+  joint.path_turn = turn;
+  joint.remaining = property.reduction(rock, {});
+  for (JointPoint& point : joint.points) {
+    point.normal = with.normal;
+    point.shear = with.shear;
+  }
+  begin_bridges(model, joint);
+  const BridgeTerms terms;
+  constexpr int steps = 4000;
+  const Vec2 step = way * 4 * 50 / rock.tension / steps;
+  double work = 0;
+  terms.store_tractions(model);
+  for (int k = 0; k < steps; ++k) {
+    const BondTraction before = mean_traction(joint);
+    for (JointPoint& point : joint.points) {
+      point.opening += step.x();
+      point.slip += step.y();
+    }
+    terms.store_tractions(model);
+    const BondTraction after = mean_traction(joint);
+    work += joint.length / 2 * ((before.normal + after.normal) * step.x() + (before.shear + after.shear) * step.y());
+    wear_bridges(model, joint);
+  }
+  EXPECT_FALSE(joint.bridged);
+  return work;
+}
+
+// G_I for each length of its path, which is shorter than the joint that lies aslant of it.
+TEST(Bridge, AcrossAPathTakesItsFractureEnergyForThePathsLength) {
+  for (const double turn : {0.0, 0.5, -0.7}) {
+    const Vec2 way(std::cos(turn), std::sin(turn));
+    const Vec2 pull = rock.tension * std::cos(turn) * way;  // of a stress across the path
+    EXPECT_NEAR(work_across_path(turn, {pull.x(), pull.y()}, way), 50 * std::cos(turn), 50e-3) << turn;
+  }
+}
+
+// Whatever the shear that it failed with: of the cohesion, eight times the tension, it holds no more than that.
+TEST(Bridge, OfABondThatFailedInTensionAndShearTakesItsFractureEnergy) {
+  for (const double shear : {0.0, 0.5, 2.0})
+    for (const double slip : {0.0, 0.3, 1.0})
+      EXPECT_NEAR(work_across_path(0, {rock.tension, shear * rock.tension}, Vec2(1, slip).normalized()), 50, 0.1) << shear << ' ' << slip;
 }
 
 TEST(Reduction, SlipWeakeningIsLinearInSlip) {

@@ -135,10 +135,12 @@ return {
         doc = "part of the highest utilisation" },
       { name = "overshoot", type = "number", above = 0, most = 1, default = 0.01,
         doc = "static: part of its strength by which an increment of load may overload the first bond" },
-      { name = "path", type = "enum", values = { "mesh", "tracked" }, default = "mesh",
-        doc = "which bond at the tip of a crack fails in tension: the one that is due, by which a crack strays with the mesh; or the"
-          .. " one there that ends nearest to the way of the highest hoop stress, which is followed from where the crack would be"
-          .. " without a mesh. `tracked` is for bonds that stand for a continuum, not for grains or scattered strengths" },
+      { name = "path", type = "enum", values = { "mesh", "tracked" },
+        default_doc = "`tracked` for bonds of triangles that soften by `talus.laws.softening` without `scatter`; `mesh` for others",
+        doc = "which bond at the tip of a crack fails in tension: the one that is due, by which a crack strays with the mesh and needs"
+          .. " more load; or the one there that ends nearest to the way of the highest hoop stress, which is followed from where the"
+          .. " crack would be without a mesh, as soon as that stress reaches the tension strength. `tracked` is for bonds that stand"
+          .. " for a continuum, not for grains or scattered strengths" },
     },
   },
   {
