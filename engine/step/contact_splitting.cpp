@@ -17,59 +17,88 @@ constexpr double rounding = 1e-12;   // change, part of all forces
 
 }  // namespace
 
+// The sums over a block's unknowns, of which most have six.
+double ContactSplitting::Copy::along(const double* rows, const Vector& d) const {
+  const auto sum = [&](const double* row, int dof, int size) {
+    if (size == first_order_dofs) return Eigen::Map<const ColumnOf<first_order_dofs>>(row).dot(d.segment<first_order_dofs>(dof));
+    double part = 0;
+    for (int k = 0; k < size; ++k) part += row[k] * d[dof + k];
+    return part;
+  };
+  return sum(rows, dof_i, size_i) + sum(rows + size_i, dof_j, size_j);
+}
+
+void ContactSplitting::Copy::add(const double* rows, double force, Vector& f) const {
+  const auto put = [&](const double* row, int dof, int size) {
+    if (size == first_order_dofs)
+      f.segment<first_order_dofs>(dof) += force * Eigen::Map<const ColumnOf<first_order_dofs>>(row);
+    else
+      for (int k = 0; k < size; ++k) f[dof + k] += force * row[k];
+  };
+  put(rows, dof_i, size_i);
+  put(rows + size_i, dof_j, size_j);
+}
+
 bool ContactSplitting::factor(ContactProblem& problem, bool rough, const Contacts& contacts) {
   const auto& rows = problem.contacts.rows();
   std::vector<double> normal(rows.size(), 0), shear(rows.size(), 0);
-  springs_.assign(rows.size(), {});
+  copies_.clear();
+  packed_.clear();
   for (size_t k = 0; k < rows.size(); ++k) {
     if (!rows[k].near) continue;
     const bool closed = contacts.closed[k], stuck = closed && contacts.stuck[k];
     normal[k] = rough ? rough_spring : closed ? stiff_spring : soft_spring;
     shear[k] = rough ? rough_spring : stuck ? stiff_spring : soft_spring;
-    springs_[k] = {normal[k] * rows[k].kn, shear[k] * rows[k].ks};
+    pack(rows[k], int(k), normal[k] * rows[k].kn, shear[k] * rows[k].ks);
   }
   return problem.factor_with(normal, shear) < 0;
 }
 
+void ContactSplitting::pack(const ContactRows& row, int number, double spring, double shear_spring) {
+  copies_.push_back({row, number, spring, shear_spring, packed_.size()});
+  const auto append = [&](const Row& of, int size) { packed_.insert(packed_.end(), of.begin(), of.begin() + size); };
+  append(row.normal_i, row.size_i);
+  append(row.normal_j, row.size_j);
+  append(row.shear_i, row.size_i);
+  append(row.shear_j, row.size_j);
+}
+
 void ContactSplitting::ask(const ContactProblem& problem, const Contacts& contacts, const Vector& d, Vector& asked) const {
-  const auto& rows = problem.contacts.rows();
   const double f = problem.contacts.factor();
-  const auto count = Eigen::Index(rows.size());
-  asked.setZero(2 * count);
-  for (size_t k = 0; k < rows.size(); ++k) {
-    const ContactRows& row = rows[k];
-    if (!row.near) continue;
-    const double gap = row.gap0 + f * row.along(row.normal_i, row.normal_j, d);
-    const double slide = row.slide0 + f * row.along(row.shear_i, row.shear_j, d);
-    asked[Eigen::Index(k)] = contacts.normal[k] - springs_[k].normal * gap;
-    asked[count + Eigen::Index(k)] = contacts.shear[k] + springs_[k].shear * slide;
+  const auto count = Eigen::Index(copies_.size());
+  asked.resize(2 * count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Copy& copy = copies_[size_t(k)];
+    const double *of_gap = packed_.data() + copy.begin, *of_slide = of_gap + copy.size_i + copy.size_j;
+    const double gap = copy.gap0 + f * copy.along(of_gap, d), slide = copy.slide0 + f * copy.along(of_slide, d);
+    asked[k] = contacts.normal[size_t(copy.row)] - copy.spring * gap;
+    asked[count + k] = contacts.shear[size_t(copy.row)] + copy.shear_spring * slide;
   }
 }
 
 // The law at every copy, whose force N = max(0, asked - its spring's part), and so the force on the blocks: that of the copies,
 // carried to the blocks by the springs. Returns how many states are others than before.
 int ContactSplitting::answer(const ContactProblem& problem, Contacts contacts, Vector& force) const {
-  const auto& rows = problem.contacts.rows();
-  const auto count = Eigen::Index(rows.size());
+  const auto count = Eigen::Index(copies_.size());
   force = problem.system.force;
   int changed = 0;
-  for (size_t k = 0; k < rows.size(); ++k) {
-    const ContactRows& row = rows[k];
-    if (!row.near) continue;
-    const auto& [normal, shear] = springs_[k];
-    const double asked = asked_[Eigen::Index(k)], asked_shear = asked_[count + Eigen::Index(k)];
-    const double n = std::max(0.0, asked / (1 + normal / row.kn));
-    const double limit = friction_limit(row, n), trial = asked_shear / (1 + shear / row.ks);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Copy& copy = copies_[size_t(k)];
+    const auto row = size_t(copy.row);
+    const double asked = asked_[k], asked_shear = asked_[count + k];
+    const double n = std::max(0.0, asked / (1 + copy.spring / copy.kn));
+    const double limit = friction_limit(copy, n), trial = asked_shear / (1 + copy.shear_spring / copy.ks);
     const double t = std::clamp(trial, -limit, limit);
     const char closed = n > 0, stuck = t == trial;
-    changed += contacts.closed[k] != closed || contacts.stuck[k] != stuck;
-    contacts.closed[k] = closed;
-    contacts.stuck[k] = stuck;
-    contacts.normal[k] = n;
-    contacts.shear[k] = t;
+    changed += contacts.closed[row] != closed || contacts.stuck[row] != stuck;
+    contacts.closed[row] = closed;
+    contacts.stuck[row] = stuck;
+    contacts.normal[row] = n;
+    contacts.shear[row] = t;
     // The copy lies at (n - asked) / spring, and the spring reaches from there to the contact at d = 0.
-    row.add(row.normal_i, row.normal_j, 2 * n - asked - normal * row.gap0, force);
-    row.add(row.shear_i, row.shear_j, -(2 * t - asked_shear + shear * row.slide0), force);
+    const double *of_gap = packed_.data() + copy.begin, *of_slide = of_gap + copy.size_i + copy.size_j;
+    copy.add(of_gap, 2 * n - asked - copy.spring * copy.gap0, force);
+    copy.add(of_slide, -(2 * t - asked_shear + copy.shear_spring * copy.slide0), force);
   }
   return changed;
 }

@@ -28,14 +28,20 @@ class ContactSplitting {
   Progress run(ContactProblem& problem, bool rough, int quiet, int most, Contacts contacts, Vector& d);
 
  private:
-  struct Springs {  // N/m; nought where a contact takes no part
-    double normal = 0, shear = 0;
+  struct Copy : ContactScalars {  // of a contact that takes part
+    int row;                      // of the problem
+    double spring, shear_spring;  // N/m
+    size_t begin;                 // of its rows in packed_: of the gap, then of the slide, each of block i and j
+    double along(const double* rows, const Vector& d) const;
+    void add(const double* rows, double force, Vector& f) const;
   };
   bool factor(ContactProblem& problem, bool rough, const Contacts& contacts);
+  void pack(const ContactRows& row, int number, double spring, double shear_spring);
   void ask(const ContactProblem& problem, const Contacts& contacts, const Vector& d, Vector& asked) const;
   int answer(const ContactProblem& problem, Contacts contacts, Vector& force) const;
 
-  std::vector<Springs> springs_;
+  std::vector<Copy> copies_;
+  std::vector<double> packed_;  // a third of what the problem's rows take, which every iteration reads twice
   // What a copy is asked with, N: its force, less (of slides: plus) what its spring gives for the contact's gap. Normal parts, then shear.
   Vector asked_, next_, force_, solved_, change_;
 };
