@@ -83,24 +83,23 @@ CrackTracking::CrackTracking(Model& model, const std::vector<std::vector<int>>& 
 }
 
 void CrackTracking::judge() {
-  tips_.clear();
   const std::vector<int> last = last_bonds();
   for (int node = 0; node < int(last.size()); ++node) {
     if (last[node] < 0) continue;
-    const Tip tip = this->tip(node, last[node]);
-    for (const Way& way : tip.ways) {
+    const Tip at = tip(node, last[node]);
+    for (const Way& way : at.ways) {
       Joint& joint = model_.joints[way.joint];
       const Vec3 beside = (stress_in_place(model_, joint.a) + stress_in_place(model_, joint.b)) / 2;
-      const double pull = std::max(tip.hoop_stress, across(beside, tip.ahead));
+      const double pull = std::max(at.hoop_stress, across(beside, at.ahead));
       joint.utilisation = std::max(joint.utilisation, utilisation(model_, joint, {pull, 0}));
     }
-    if (!tip.ways.empty()) tips_.emplace(node, tip);
   }
 }
 
 std::vector<int> CrackTracking::lead(const std::vector<int>& due) {
+  const std::vector<int> last = last_bonds();
   std::vector<int> chosen;
-  for (const int j : due) lead(j, chosen);
+  for (const int j : due) lead(j, last, chosen);
   std::sort(chosen.begin(), chosen.end());
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
@@ -116,20 +115,20 @@ std::vector<int> CrackTracking::last_bonds() const {
 }
 
 // A bond that is due joins two cracks, or fails in shear, as it would without a path.
-void CrackTracking::lead(int due, std::vector<int>& chosen) {
+void CrackTracking::lead(int due, const std::vector<int>& last, std::vector<int>& chosen) {
   const Joint& first = model_.joints[due];
-  const std::array at = {tips_.find(first.node[0]), tips_.find(first.node[1])};
-  const bool at_tip[] = {at[0] != tips_.end(), at[1] != tips_.end()};
+  const bool at_tip[] = {last[first.node[0]] >= 0, last[first.node[1]] >= 0};
   const Utilisation by = utilisation(mean_traction(first), model_.strength(first));
   const bool in_shear = by.shear > by.tension && utilisation(model_, first) >= first.utilisation;
   chosen.push_back(due);
   if (at_tip[0] == at_tip[1] || in_shear) return;
-  const Tip& tip = at[at_tip[0] ? 0 : 1]->second;
+  const int node = first.node[at_tip[0] ? 0 : 1];
+  const Tip tip = this->tip(node, last[node]);
   const auto serves = [&](const Way& way) {
     const Joint& joint = model_.joints[way.joint];
     return joint.property == first.property && joint.trace == first.trace;
   };
-  if (!std::all_of(tip.ways.begin(), tip.ways.end(), serves)) return;
+  if (tip.ways.empty() || !std::all_of(tip.ways.begin(), tip.ways.end(), serves)) return;
   chosen.pop_back();
   for (const Way& way : tip.ways) {
     Joint& joint = model_.joints[way.joint];

@@ -5,7 +5,6 @@
 // path was, in the direction of the highest hoop stress around the tip (Erdogan & Sih 1963) in the mean over some blocks,
 // and of the bonds at the tip the one fails that ends nearest to it: when one of them reaches its strength, or the hoop
 // stress does. What still bridges it pulls across the path (Joint::path_turn).
-#include <unordered_map>
 #include <vector>
 
 #include "model/model.h"
@@ -20,7 +19,7 @@ class CrackTracking {
  public:
   CrackTracking(Model& model, const std::vector<std::vector<int>>& bonds_at_node);
 
-  // The tips there are. The bonds that lead on from them have the utilisation of the hoop stress where it is higher.
+  // The bonds that lead on from a tip get the utilisation of the hoop stress where it is higher.
   void judge();
   // Instead of each bond that is due in tension at the tip of one crack, the bond or bonds there that lead along its path:
   // their Joint::off_path and path_turn are written. In order of their numbers. The model is as it was judged.
@@ -39,12 +38,11 @@ class CrackTracking {
   std::vector<int> last_bonds() const;
   Tip tip(int node, int last) const;
   std::vector<Way> ways(int node, const Vec2& path, const Vec2& ahead) const;
-  void lead(int due, std::vector<int>& chosen);
+  void lead(int due, const std::vector<int>& last, std::vector<int>& chosen);
 
   Model& model_;
   const std::vector<std::vector<int>>& bonds_at_node_;
   std::vector<std::vector<int>> bonds_of_block_;
-  std::unordered_map<int, Tip> tips_;  // by node, at the last judgement
 };
 
 }  // namespace talus
