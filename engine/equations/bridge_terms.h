@@ -1,6 +1,7 @@
 #pragma once
 // What a failed bond still carries beside the contact of its faces, where its property softens: tension across it, and
-// cohesion along it, both above the residual strength, each as a traction over the jump since it failed.
+// cohesion along it, both above the residual strength, each as a traction over the jump since it failed. Where it lies aslant
+// of the path of its crack, across and along that path (Joint::path_turn).
 //
 // The law is extrinsic: the bridge begins with the traction that the bond failed with, up to its strength f, and loses
 // strength with the jump beyond. Back from the worst jump, and up to it again, it is a line through the jump without

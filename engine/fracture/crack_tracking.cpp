@@ -73,7 +73,7 @@ bool is_tracked(const Model& model, const Joint& joint) {
   if (scene.fracture.path != CrackPath::automatic) return scene.fracture.path == CrackPath::tracked;
   const JointProperty& property = scene.properties[joint.property];
   const auto of_triangles = [&](int block) { return scene.regions[model.shapes[block].region].mesh.kind == MeshKind::triangles; };
-  return property.softening_compliance > 0 && property.weibull == 0 && of_triangles(joint.a) && of_triangles(joint.b);
+  return property.softening_compliance > 0 && std::isfinite(property.softening_compliance) && property.weibull == 0 && of_triangles(joint.a) && of_triangles(joint.b);
 }
 
 CrackTracking::CrackTracking(Model& model, const std::vector<std::vector<int>>& bonds_at_node)

@@ -253,7 +253,7 @@ TEST(Bridge, AcrossAPathTakesItsFractureEnergyForThePathsLength) {
   }
 }
 
-// Whatever the shear that it failed with: of the cohesion, eight times the tension, it holds no more than that.
+// Whatever the shear that it failed with.
 TEST(Bridge, OfABondThatFailedInTensionAndShearTakesItsFractureEnergy) {
   for (const double shear : {0.0, 0.5, 2.0})
     for (const double slip : {0.0, 0.3, 1.0})
