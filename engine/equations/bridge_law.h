@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/model.h"
+#include "model/crack_path.h"
 
 namespace talus {
 
@@ -22,7 +22,7 @@ class BridgeLaws {
  public:
   BridgeLaws(const Model& model, const Joint& joint)
       : property_(model.scene.properties[joint.property]), intact_(model.strength(joint)), aslant_(std::cos(joint.path_turn)) {
-    if (joint.path_turn == 0) return;
+    if (joint.mode != FailureMode::tension || !is_tracked(model, joint)) return;
     const double whole = left(0, 0).cohesion - property_.residual.cohesion;
     if (whole > 0) held_ = std::min(1.0, std::hypot(joint.failed_with.normal, joint.failed_with.shear) / whole);
   }
@@ -40,8 +40,8 @@ class BridgeLaws {
   const JointProperty& property_;
   Strength intact_;
   double aslant_;    // length of the path beside the joint, of the joint's own
-  // Of the cohesion; slips count by it too, so that it takes G_II whatever it is. Where a path leads, no more is held along it
-  // than the bond failed with: the whole would lock the zigzag.
+  // Of the cohesion; slips count by it too, so that it takes G_II whatever it is. What fails in tension where cracks have paths holds no
+  // more along its own than it failed with: the whole would lock the zigzag.
   double held_ = 1;
 };
 

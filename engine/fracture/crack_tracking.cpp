@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "fracture/criterion.h"
+#include "model/crack_path.h"
 
 namespace talus {
 
@@ -67,14 +68,6 @@ std::optional<Vec2> highest_hoop_stress(const std::vector<Nearby>& nearby, const
 }
 
 }  // namespace
-
-bool is_tracked(const Model& model, const Joint& joint) {
-  const Scene& scene = model.scene;
-  if (scene.fracture.path != CrackPath::automatic) return scene.fracture.path == CrackPath::tracked;
-  const JointProperty& property = scene.properties[joint.property];
-  const auto of_triangles = [&](int block) { return scene.regions[model.shapes[block].region].mesh.kind == MeshKind::triangles; };
-  return property.softening_compliance > 0 && std::isfinite(property.softening_compliance) && property.weibull == 0 && of_triangles(joint.a) && of_triangles(joint.b);
-}
 
 CrackTracking::CrackTracking(Model& model, const std::vector<std::vector<int>>& bonds_at_node)
     : model_(model), bonds_at_node_(bonds_at_node), bonds_of_block_(model.shapes.size()) {

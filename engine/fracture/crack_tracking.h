@@ -11,10 +11,6 @@
 
 namespace talus {
 
-// Whether cracks have a path where this bond fails: as the scene says, or else where bonds stand for a continuum: they soften
-// by a fracture energy, their strengths do not scatter and their blocks are no grains.
-bool is_tracked(const Model& model, const Joint& joint);
-
 class CrackTracking {
  public:
   CrackTracking(Model& model, const std::vector<std::vector<int>>& bonds_at_node);

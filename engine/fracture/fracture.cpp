@@ -6,6 +6,7 @@
 #include "equations/bridge_terms.h"
 #include "fracture/cracks.h"
 #include "fracture/criterion.h"
+#include "model/crack_path.h"
 
 namespace talus {
 

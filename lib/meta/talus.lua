@@ -48,7 +48,7 @@ function talus.joint(fields) end
 
 talus.laws = {}
 
----A failed bond softens as it opens and slides: with r = opening/δ_I + slip/δ_II tension and cohesion fall to the part 1 - r (linear) or exp(-r) (exponential) of what they were above the residual; δ follows from the fracture energies. Along the path of a tracked crack a bond holds no more than the traction that it failed with.
+---A failed bond softens as it opens and slides: with r = opening/δ_I + slip/δ_II tension and cohesion fall to the part 1 - r (linear) or exp(-r) (exponential) of what they were above the residual; δ follows from the fracture energies. Along a tracked crack in tension a bond holds no more than the traction that it failed with.
 ---@param fields talus.softening
 ---@return talus.softening
 function talus.laws.softening(fields) end

@@ -73,7 +73,7 @@ return {
     kind = "softening", call = "talus.laws.softening",
     doc = "A failed bond softens as it opens and slides: with r = opening/δ_I + slip/δ_II tension and cohesion fall"
       .. " to the part 1 - r (linear) or exp(-r) (exponential) of what they were above the residual; δ follows from the"
-      .. " fracture energies. Along the path of a tracked crack a bond holds no more than the traction that it failed with.",
+      .. " fracture energies. Along a tracked crack in tension a bond holds no more than the traction that it failed with.",
     fields = {
       { name = "shape", type = "enum", values = { "linear", "exponential" }, default = "linear", doc = "of the curve" },
       { name = "G_I", type = "number", above = 0, unit = "J/m2", required = true, doc = "fracture energy in tension" },
