@@ -289,7 +289,7 @@ void SweepsOf<size>::mix(const State& from, Mixing& mixing) {
     change[k] = forces_[size_t(k)].n - x[k];
     change[count + k] = forces_[size_t(k)].t - x[count + k];
   }
-  const Vector next = mixing.next(x, change);
+  const Vector& next = mixing.next(x, change);
   for (Eigen::Index k = 0; k < count; ++k)
     if (Forces& forces = forces_[size_t(k)]; forces.n > 0)  // what has opened stays open
       forces = contacts_[size_t(k)].law.carried({next[k], next[count + k]});

@@ -204,9 +204,11 @@ TEST(Reduction, InMixedModesTheWorksAddUp) {
   EXPECT_EQ(law(rock, {0.51 * slip, 0.5 * opening, 0}).tension, 0);
 }
 
-// A vertical joint that has failed in tension on a path turned by 0.5, and opens across that path: what its bridge takes.
-double work_across_path(double turn, const BondTraction& with, const Vec2& way) {
+// A vertical joint of a tracked crack, on a path turned by `turn`, that has failed in tension `with` a traction and moves along `way`,
+// normal and slip: what its bridge takes.
+double work_of_bridge(double turn, const BondTraction& with, const Vec2& way) {
   Model model = test::two_squares();
+  model.scene.fracture.path = CrackPath::tracked;
   JointProperty& property = model.scene.properties[0];
   property.cohesion = rock.cohesion;
   property.tension = rock.tension;
@@ -249,15 +251,15 @@ TEST(Bridge, AcrossAPathTakesItsFractureEnergyForThePathsLength) {
   for (const double turn : {0.0, 0.5, -0.7}) {
     const Vec2 way(std::cos(turn), std::sin(turn));
     const Vec2 pull = rock.tension * std::cos(turn) * way;  // of a stress across the path
-    EXPECT_NEAR(work_across_path(turn, {pull.x(), pull.y()}, way), 50 * std::cos(turn), 50e-3) << turn;
+    EXPECT_NEAR(work_of_bridge(turn, {pull.x(), pull.y()}, way), 50 * std::cos(turn), 50e-3) << turn;
   }
 }
 
-// Whatever the shear that it failed with.
+// Whatever the shear that it failed with: of the cohesion, eight times the tension, it holds no more than that.
 TEST(Bridge, OfABondThatFailedInTensionAndShearTakesItsFractureEnergy) {
   for (const double shear : {0.0, 0.5, 2.0})
     for (const double slip : {0.0, 0.3, 1.0})
-      EXPECT_NEAR(work_across_path(0, {rock.tension, shear * rock.tension}, Vec2(1, slip).normalized()), 50, 0.1) << shear << ' ' << slip;
+      EXPECT_NEAR(work_of_bridge(0, {rock.tension, shear * rock.tension}, Vec2(1, slip).normalized()), 50, 0.1) << shear << ' ' << slip;
 }
 
 TEST(Reduction, SlipWeakeningIsLinearInSlip) {

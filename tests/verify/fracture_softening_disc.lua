@@ -1,6 +1,6 @@
 -- Softening by a given G_I: how much a body bears does not depend on the size of its blocks once these are a fifth of
 -- the characteristic length l = E G_I/ft² or less. The flattened disc of Ning et al. (2011), Fig. 6, driven to its split,
--- and a plate with an edge crack (12 s CPU; a minute with full=true).
+-- and a plate with an edge crack (20 s CPU; three minutes with full=true).
 -- Source: Hillerborg, Modéer & Petersson (1976): with a fracture energy the strength of a body follows from E, ft and G_I.
 -- Discs with a path for the crack in the mesh, bonded like all else, and discs without one, over whose zigzag of edges the
 -- crack has a path of its own (theory, section 12).
