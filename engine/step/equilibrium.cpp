@@ -99,6 +99,7 @@ bool Stepper::balance(Equilibrium& search) {
     Restored attempt(model_);
     Equilibrium whole;
     whole.most_solves = search.most_solves;
+    whole.may_jump = search.may_jump;
     whole.whole_way = true;
     const bool found = find_equilibrium(false, 0, fracture_ ? whole_way_among_cracks : equilibrium_iterations, whole);
     if (found) attempt.keep();
@@ -106,6 +107,8 @@ bool Stepper::balance(Equilibrium& search) {
       search = std::move(whole);
       return found;
     }
+    search.jumped = whole.jumped;
+    if (search.jumped && !search.may_jump) return false;
   }
   return find_equilibrium(false, 0, equilibrium_iterations, search);
 }
@@ -137,12 +140,18 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
     d.resize(0);
     result = solve(0, d);
     report.iterations += result.iterations;
-    if (result.singular_block >= 0 && bridges_.any() && softening.less()) continue;
+    if (result.singular_block >= 0 && bridges_.any() && softening.less()) {
+      search.jumped = true;
+      if (!search.may_jump) return false;
+      continue;
+    }
     if (!result.converged && (!plan_.contacts || result.singular_block >= 0)) return false;
     std::vector<BlockState> moved = moved_blocks(model_, scheme, d);
     const double displacement = hold_and_leave(stick, moved, least);
     if (displacement < 0) continue;
     if (bridges_.any()) softening.watch(report.residual);
+    search.jumped |= softening.wears;
+    if (search.jumped && !search.may_jump) return false;
     report.displacement = std::max(report.displacement, displacement);
     keep_rest(moved);
     accept(std::move(moved), scheme, d);

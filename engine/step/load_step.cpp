@@ -16,10 +16,6 @@ constexpr double least_increment = 1e-6;  // part of t_end
 // solves, also where bonds soften near their limit.
 constexpr int most_search_solves = 1000;  // of one look for equilibrium
 constexpr int most_vain_solves = 3000;    // of all those of a load step that found none
-// Where bonds soften, one that goes on for longer has most often passed the load they bear: a shorter increment is
-// cheaper.
-constexpr int hasty_solves = 30;
-constexpr int hasty_cuts = 2;
 constexpr int careful_cuts = 4;           // as interpolated; those that follow halve an increment at least
 // In a row, that neither come to the load asked for nor break a bond.
 constexpr int most_short_increments = 60;
@@ -102,11 +98,13 @@ double Stepper::foreseen(double from, double to, double utilisation) const {
 }
 
 // Utilisations grow about in proportion to the load: an increment that passes a strength by more than the overshoot is
-// taken again, to where the first bond reaches it.
+// taken again, to where the first bond reaches it. So is one on whose way the rock would jump, unless utilisations, as
+// they have come up, would stay within the overshoot: then the load at which it jumps is known as well as any strength.
 StepReport Stepper::raise_load(double to, bool first) {
   const double from = model_.time, soonest = from + least_increment * model_.scene.time.t_end;
   const double overshoot = model_.scene.fracture.overshoot, before = fracture_->judge();
   double until = foreseen(from, to, before);
+  const double pace = std::max(pace_, from > 0 ? before / from : 0);
   int vain = 0;  // solves
   for (int cuts = 0;; ++cuts) {
     Restored attempt(model_);
@@ -114,13 +112,15 @@ StepReport Stepper::raise_load(double to, bool first) {
     const LoadStepBooking booking(model_, supports_, from, first);
     const BridgeBooking bridges(model_);
     Equilibrium search;
-    search.most_solves = cuts < hasty_cuts && bridges_.any() ? hasty_solves : most_search_solves;
+    search.most_solves = most_search_solves;
+    search.may_jump = before + pace * (until - from) <= 1 + overshoot || until <= soonest;
     const bool found = balance(search);
     if (!found) vain += search.report.iterations;
     const double after = found ? fracture_->judge() : 0;
     search.report.utilisation = after;
-    if (found && (after <= 1 + overshoot || until <= soonest)) {
+    if (found && (after <= 1 + overshoot || search.jumped || until <= soonest)) {
       attempt.keep();
+      if (!search.jumped) pace_ = (after - before) / (until - from);
       booking.book(model_, supports_, ledger_);
       bridges.book(model_, ledger_);
       fracture_->weaken();

@@ -190,6 +190,7 @@ void Stepper::visit_state(StateVisitor& visitor) {
   visitor("sleep", sleep_);
   visitor("islands", islands_);
   visitor("short_increments", short_increments_);
+  visitor("pace", pace_);
   if (gas_) visitor("gas", *gas_);
 }
 

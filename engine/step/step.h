@@ -76,6 +76,8 @@ class Stepper {
     Vector d;  // m, last displacements
     Alternation alternation;
     int most_solves = std::numeric_limits<int>::max();
+    bool may_jump = true;    // through states that are not stable
+    bool jumped = false;
     bool whole_way = false;  // friction by all that slides in the load step, not by what each solve of the search slides
   };
   bool find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search);
@@ -125,6 +127,7 @@ class Stepper {
   std::unique_ptr<Fracture> fracture_;  // where bonds can fail
   std::string collapse_;
   int short_increments_ = 0;  // of load, one after the other
+  double pace_ = 0;           // 1/s, at which utilisations came up with the last of them
   long revision_ = -1;
   double moved_y_ = 0;  // s, by which y would have moved along the velocities as the step changed
   std::vector<Vec2> vertex_before_;  // X moved for that

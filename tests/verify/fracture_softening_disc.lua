@@ -31,7 +31,7 @@ for _, size in ipairs { 3.6, 2.8, 2.2, 1.8 } do
   talus.check.truth(label .. "split", seen.split)
   talus.check.above(label .. "failed length within 0.1 D of the loaded diameter",
                     disc.share(seen, function(x) return math.abs(x) < 0.2*disc.radius end), 0.95)
-  talus.check.below(label .. "solves a failed bond", sim.totals.iterations/sim.totals.failures, 40)
+  talus.check.below(label .. "solves a failed bond", sim.totals.iterations/sim.totals.failures, 15)
   talus.check.below(label .. "unexplained energy, of the work put in",
                     math.abs(sim.energy.unexplained)/sim.energy.scale, 1e-3)
   loads[#loads + 1] = seen.splitting
