@@ -30,8 +30,8 @@ Vec2 body_force(const Model& model, int region, double density, double t);
 
 // Inertia that keeps what nothing holds from running away in equilibrium; per block, in units of its own (wave speed /
 // size of the scene)²: it goes with a block's stiffness, not its mass, so that a heavy block on a light one settles as
-// fast as the other way round.
-void add_hold(const Model& model, const std::vector<double>& hold, System& system);
+// fast as the other way round. It draws towards where displacements (m, rad by lengths; empty: 0) are minus `lead`.
+void add_hold(const Model& model, const std::vector<double>& hold, const Vector& lead, System& system);
 
 void add_block_terms(const Model& model, const Poses& poses, const Scheme& scheme, System& system);
 

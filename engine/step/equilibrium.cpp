@@ -22,6 +22,10 @@ constexpr int whole_way_among_cracks = 15;
 
 constexpr double release_hold = 0.1;
 constexpr int release_iterations = 40;
+constexpr double sliding_hold = 1e-3;  // part of (wave speed / size of a block)²
+// Of its acceleration that is a load. The rest moves it on, by about ten times what its strains change, so that friction has
+// its direction everywhere.
+constexpr double sliding_lead = 0.999;
 
 // How the falling branches of bonds that soften are taken. With their whole slope, Newton's step, as long as the matrix is
 // positive definite; else, near the load that they bear and where they give way under it, with a share of it. Without
@@ -87,10 +91,38 @@ std::string Stepper::settle() {
   }
   // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
   // starts from there, or the first steps would shake it.
-  if (plan_.contacts) settles(false, release_hold, release_iterations, released);
+  if (plan_.contacts && !settles(false, release_hold, release_iterations, released)) start_sliding();
   for (Contact& contact : model_.contacts) contact.slip = 0;
   keep_viscous_tractions(model_);
   return {};
+}
+
+// What friction does not hold is strained, as it begins to slide, by what is left of it and by its own inertia: let go from
+// the strains with which it stuck, it would shake for ever. The forces that a little inertia lets it follow give its
+// acceleration, and one more solve from the same place, with that as a load, its strains.
+void Stepper::start_sliding() {
+  Vector lead;
+  for (const bool last : {false, true}) {
+    Restored attempt(model_);
+    for (size_t b = 0; b < model_.shapes.size(); ++b)
+      hold_[b] = sliding_hold * std::pow(model_.extent / model_.shapes[b].length, 2);
+    hold_lead_ = lead;
+    const Scheme scheme = Scheme::equilibrium();
+    search_.update(model_, 0);
+    assemble(scheme, false);
+    hold_lead_.resize(0);
+    Vector d;
+    if (!solve(0, d).converged) return;
+    if (last) {
+      std::vector<BlockState> moved = moved_blocks(model_, scheme, d);
+      keep_rest(moved);
+      accept(std::move(moved), scheme, d);
+      attempt.keep();
+    }
+    lead = sliding_lead * d;
+    for (const BlockShape& shape : model_.shapes)
+      if (shape.dofs > 3) lead.segment(shape.dof_begin + 3, shape.dofs - 3).setZero();
+  }
 }
 
 // With friction by the whole way; where that is not found, as among new cracks, by the way of each solve, whose friction gives in.

@@ -296,7 +296,7 @@ void Stepper::assemble(const Scheme& scheme, bool stick) {
   if (system_.matrix.set_pattern(sizes, std::move(pairs)) && plan_.bonds) joints_.find_slots(model_, system_.matrix);
   system_.clear(model_);
   add_block_terms(model_, poses_, scheme, system_);
-  if (!hold_.empty()) add_hold(model_, hold_, system_);
+  if (!hold_.empty()) add_hold(model_, hold_, hold_lead_, system_);
   if (plan_.bonds) joints_.add(model_, poses_, scheme, system_);
   if (fracture_) {
     if (scheme.dt > 0) {

@@ -82,6 +82,7 @@ class Stepper {
   };
   bool find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search);
   bool balance(Equilibrium& search);
+  void start_sliding();
   double foreseen(double from, double to, double utilisation) const;
   StepReport raise_load(double to, bool first);
   StepReport collapse(const Equilibrium& search);
@@ -122,6 +123,7 @@ class Stepper {
   IslandSolver islands_;
   Sleep sleep_;
   std::vector<double> hold_;      // of equilibrium, per block; empty: none
+  Vector hold_lead_;              // m; empty: none
   std::vector<double> nearness_;  // of contacts, per block; empty: 1 (ContactTerms::linearise)
   std::unique_ptr<Gas> gas_;            // where there are charges
   std::unique_ptr<Fracture> fracture_;  // where bonds can fail
