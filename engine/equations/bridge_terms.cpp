@@ -95,7 +95,7 @@ void wear_bridges(const Model& model, Joint& joint) {
                     laws.cohesion(point.along.worn, point.across.worn) > 0;
   }
   if (!joint.bridged)
-    for (JointPoint& point : joint.points) point.normal = point.shear = 0;
+    for (JointPoint& point : joint.points) point.normal = point.shear = point.across.traction = point.along.traction = 0;
 }
 
 void BridgeTerms::find_slots(const Model& model, const BlockMatrix& matrix) {
@@ -207,8 +207,8 @@ double bridge_work(const Joint& now, const Joint& then) {
   double sum = 0;
   for (size_t p = 0; p < now.points.size(); ++p) {
     const JointPoint &n = now.points[p], &t = then.points[p];
-    for (Bridge JointPoint::*way : {&JointPoint::across, &JointPoint::along})
-      sum += n.weight / 2 * ((n.*way).traction + (t.*way).traction) * ((n.*way).now - (t.*way).now);
+    const BondTraction way = to_path(now, {n.opening - t.opening, n.slip - t.slip});
+    sum += n.weight / 2 * ((n.across.traction + t.across.traction) * way.normal + (n.along.traction + t.along.traction) * way.shear);
   }
   return sum;
 }

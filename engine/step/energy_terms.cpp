@@ -45,7 +45,7 @@ std::span<const EnergyTerm> energy_terms() {
        "taken by the dynamic parameter or a damping law", [](const Plan& plan) { return plan.damping; }},
       {"viscous", "viscous_work", "viscous boundaries", EnergyTerm::lost, &Energies::viscous,
        "absorbed by viscous boundaries", with_dashpots},
-      {"fracture", "fracture_work", "fracture", EnergyTerm::lost, &Energies::fracture, "released by bonds that failed",
+      {"fracture", "fracture_work", "fracture", EnergyTerm::lost, &Energies::fracture, "released by bonds that failed, and by static rock that jumps as they do",
        [](const Plan& plan) { return plan.fracture; }},
       {"numerical", "numerical_loss", "integrator", EnergyTerm::lost, &Energies::numerical,
        "lost to the integrator, by its formula", with_motion},

@@ -273,7 +273,7 @@ void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledge
   }
   for (Contact& c : model.contacts) {
     const double before = unloaded_ ? 0 : std::isnan(c.load_shear) ? c.shear_force : c.load_shear;
-    if (c.state != ContactState::open) ledger.friction_work += (before + c.shear_force) / 2 * (c.slip - c.load_slip);
+    if (c.state != ContactState::open) ledger.friction_work += (std::abs(before) + std::abs(c.shear_force)) / 2 * std::abs(c.slip - c.load_slip);
     c.load_shear = c.shear_force;
     c.load_slip = c.slip;
   }

@@ -25,7 +25,7 @@ struct Ledger {
   double friction_work = 0;   // dissipated
   double damping_work = 0;    // taken by the dynamic parameter or a damping law
   double viscous_work = 0;    // absorbed by viscous boundaries
-  double fracture_work = 0;   // released by bonds that failed
+  double fracture_work = 0;   // released by bonds that failed, and by static rock that jumps as they do
   double numerical_flow = 0;  // the integrator's loss but for what is read off the state (start_shift)
   double start_energy = 0;    // kinetic and stored, at y
   double start_shift = 0;     // strain and gravity energy at y less those at X

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "equations/bridge_law.h"
+#include "step/energies.h"
 #include "step/restored.h"
 #include "step/step.h"
 
@@ -20,53 +21,82 @@ constexpr int careful_cuts = 4;           // as interpolated; those that follow 
 // In a row, that neither come to the load asked for nor break a bond.
 constexpr int most_short_increments = 60;
 
-// What bonds that fail under a held load give off while the rock moves to its new equilibrium: half of the derivative of
-// their vanished potential along the way it goes, of ∫ {σ}n · g + ½ k g² the tractions along the jumps that follow (the
-// crack closure integral of Irwin 1957, read backwards) and the change of {σ}n along the jump before; less what contacts
-// take over.
+// What the rock gives off on its way from one equilibrium to another that it jumps to, as bonds fail or soften past what they
+// bear. Bodies are elastic, so they give off ∫ t · dg = ½ (t0 + t1) · (g1 - g0) over all jumps g that tractions t act across (the
+// crack closure integral of Irwin 1957, read backwards); contacts and bridges store some of it, friction takes some. Of bonds
+// that fail, t0 is that of the bond, and the change of {σ}n works along the jump it had.
 class Closure {
  public:
-  Closure(const Model& model, const JointTerms& bonds, const std::vector<int>& joints) : bonds_(bonds), joints_(joints) {
+  Closure(const Model& model, const JointTerms& bonds, const std::vector<int>& joints)
+      : bonds_(bonds), joints_(joints), vertex_(model.vertex), stored_(contact_energy(model)) {
+    std::vector<char> fails(model.joints.size(), 0);
     for (const int j : joints) {
-      const Joint& joint = model.joints[j];
-      const BondTraction all = mean_traction(joint);
-      const Strength faces = joint.bridged ? contact_part(model, joint) : joint.remaining;
-      before_.push_back({joint.points, taken_over(all, faces), fluxes(model, j)});
+      fails[size_t(j)] = 1;
+      before_.push_back({model.joints[j].points, fluxes(model, j)});
     }
+    for (const Contact& c : model.contacts)
+      if (pushes(c) && (c.joint < 0 || !fails[size_t(c.joint)])) pushed_.push_back({c, push(model, c)});
   }
-  double work(const Model& model) const {
-    double sum = 0;
-    for (size_t k = 0; k < joints_.size(); ++k) {
-      const Before& before = before_[k];
-      const std::vector<BondTraction> now_flux = fluxes(model, joints_[k]);
-      for (size_t p = 0; p < before.points.size(); ++p) {
-        const JointPoint &now = model.joints[joints_[k]].points[p], &then = before.points[p];
-        const BondTraction bridged = from_path(model.joints[joints_[k]], {then.across.traction, then.along.traction});
-        const double normal = then.normal - before.kept.normal - bridged.normal,
-                     shear = then.shear - before.kept.shear - bridged.shear;
-        sum += now.weight / 2 *
-               (normal * (now.opening - then.opening) + shear * (now.slip - then.slip) +
-                (now_flux[p].normal - before.flux[p].normal) * then.opening +
-                (now_flux[p].shear - before.flux[p].shear) * then.slip);
-      }
-    }
+  // friction: J/m, that contacts took on the way.
+  double work(const Model& model, double friction) const {
+    double sum = stored_ - contact_energy(model) - friction;
+    for (size_t k = 0; k < joints_.size(); ++k) sum += of_bond(model, k);
+    for (const auto& [c, force] : pushed_) sum -= force.dot(moved(model, c)) / 2;
+    for (const Contact& c : model.contacts)
+      if (pushes(c)) sum -= push(model, c).dot(moved(model, c)) / 2;
     return sum;
   }
 
  private:
   struct Before {
     JointPoints points;
-    BondTraction kept;  // by contacts; what a bridge carries is its own to book
     std::vector<BondTraction> flux;  // at the points
   };
+  struct Pushed {
+    Contact contact;
+    Vec2 force;  // N/m
+  };
+  static bool pushes(const Contact& c) { return c.normal_force != 0 || c.shear_force != 0; }
+  static int other_end(const Model& model, const Contact& c) {
+    return model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge);
+  }
+  // On the corner.
+  static Vec2 push(const Model& model, const Contact& c) {
+    const Vec2 along = (model.vertex[other_end(model, c)] - model.vertex[c.global_edge]).normalized();
+    return -c.normal_force * perp(along) - c.shear_force * along;
+  }
+  // A corner from the point of the edge that it lay beside, m.
+  Vec2 moved(const Model& model, const Contact& c) const {
+    const int end = other_end(model, c);
+    const Vec2 edge = vertex_[end] - vertex_[c.global_edge];
+    const double at = (vertex_[c.global_vertex] - vertex_[c.global_edge]).dot(edge) / edge.squaredNorm();
+    const auto way = [&](int v) -> Vec2 { return model.vertex[v] - vertex_[v]; };
+    return way(c.global_vertex) - (1 - at) * way(c.global_edge) - at * way(end);
+  }
+  double of_bond(const Model& model, size_t k) const {
+    const Joint& joint = model.joints[joints_[k]];
+    const std::vector<BondTraction> flux = fluxes(model, joints_[k]);
+    double sum = 0;
+    for (size_t p = 0; p < joint.points.size(); ++p) {
+      const JointPoint &now = joint.points[p], &then = before_[k].points[p];
+      const BondTraction bridged = from_path(joint, {then.across.traction, then.along.traction});
+      sum += now.weight / 2 *
+             ((then.normal - bridged.normal) * (now.opening - then.opening) + (then.shear - bridged.shear) * (now.slip - then.slip) +
+              (flux[p].normal - before_[k].flux[p].normal) * then.opening + (flux[p].shear - before_[k].flux[p].shear) * then.slip);
+    }
+    return sum;
+  }
   std::vector<BondTraction> fluxes(const Model& model, int joint) const {
     std::vector<BondTraction> flux;
     for (const JointPoint& point : model.joints[joint].points) flux.push_back(bonds_.flux(model, joint, point.at));
     return flux;
   }
   const JointTerms& bonds_;
-  const std::vector<int>& joints_;
+  const std::vector<int> joints_;
+  std::vector<Vec2> vertex_;
+  double stored_;  // J/m, by contacts
   std::vector<Before> before_;
+  std::vector<Pushed> pushed_;
 };
 
 }  // namespace
@@ -111,6 +141,7 @@ StepReport Stepper::raise_load(double to, bool first) {
     model_.time = until;
     const LoadStepBooking booking(model_, supports_, from, first);
     const BridgeBooking bridges(model_);
+    const Closure closure(model_, joints_, {});
     Equilibrium search;
     search.most_solves = most_search_solves;
     search.may_jump = before + pace * (until - from) <= 1 + overshoot || until <= soonest;
@@ -120,9 +151,13 @@ StepReport Stepper::raise_load(double to, bool first) {
     search.report.utilisation = after;
     if (found && (after <= 1 + overshoot || search.jumped || until <= soonest)) {
       attempt.keep();
-      if (!search.jumped) pace_ = (after - before) / (until - from);
+      const double friction = ledger_.friction_work;
       booking.book(model_, supports_, ledger_);
       bridges.book(model_, ledger_);
+      if (search.jumped)
+        ledger_.fracture_work += closure.work(model_, ledger_.friction_work - friction);
+      else
+        pace_ = (after - before) / (until - from);
       fracture_->weaken();
       short_increments_ = until < to && !bonds_due() ? short_increments_ + 1 : 0;
       return search.report;
@@ -156,13 +191,16 @@ StepReport Stepper::break_bonds(const std::vector<int>& due) {
   if (balance(search)) {
     at_failure.keep();
     report = search.report;
+    const double friction = ledger_.friction_work;
     booking.book(model_, supports_, ledger_);
-    ledger_.fracture_work += released + closure.work(model_);
+    ledger_.fracture_work += released + closure.work(model_, ledger_.friction_work - friction);
     bridges.book(model_, ledger_);
     fracture_->weaken();
     fracture_->judge();
   } else {
     report = collapse(search);
+    at_failure.back();
+    ledger_.fracture_work += released;
   }
   report.utilisation = most;
   report.failures = int(due.size());

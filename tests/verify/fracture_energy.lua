@@ -38,8 +38,58 @@ talus.check.above("notched plate torn, static: released by failure, J/m", torn.e
 local crushed = account("square crushed, static", {
   regions = { plate() }, time = { mode = "static", steps = 4 }, stop = function(sim) return sim.cracks.tension + sim.cracks.shear > 1 end,
   fix = { talus.fix { region = "plate", on = talus.line(0.3, 0, 0.7, 0) },
-          talus.fix { region = "plate", on = talus.line(0.3, 1, 0.7, 1), displacement = {0, {{0, 0}, {1, -1*u.mm}}} } } })
+          talus.fix { region = "plate", on = talus.line(0.3, 1, 0.7, 1), displacement = {0, {{0, 0}, {1, -1*u.mm}}} } } }, 1e-4)
 talus.check.above("square crushed, static: cracked, m", crushed.cracks.tension + crushed.cracks.shear, 0.5)
+
+-- Where blocks slide, rock apart and jump. Two squares bonded along y = 0, the upper one pressed and pushed aside: brittle, the bond goes at
+-- once and the upper one tips on a corner; softening, it jumps; rigid and free to rise, it ends without equilibrium.
+local function pushed(name, reduction, pressure, order, bound)
+  local pair = account(name, {
+    regions = { talus.region { name = "pair", outline = talus.rect(0, -1, 1, 1), material = rock, order = order,
+                               joint = talus.joint { tension = 1*u.MPa, cohesion = 2*u.MPa, friction = 0.5, reduction = reduction },
+                               cuts = { talus.trace { points = { {0, 0}, {1, 0} }, bonded = true } } } },
+    fix = { talus.fix { region = "pair", on = "bottom" },
+            talus.fix { region = "pair", on = "top", x = true, y = false, displacement = { {{0, 0}, {0.1, 0}, {1, 5*u.mm}}, 0 } } },
+    loads = pressure > 0 and { talus.pressure { region = "pair", on = "top", value = {{0, 0}, {0.1, pressure}, {1, pressure}} } } or nil,
+    time = { mode = "static", steps = 20 } }, bound)
+  talus.check.truth(name .. ": fails", pair.totals.failures > 0)
+  talus.check.above(name .. ": taken by friction, J/m", pair.energy.friction or 0, -1e-9)
+end
+local soft = talus.laws.softening { G_I = 6000, G_II = 600 }
+pushed("pair pushed under 1 MPa, brittle", nil, 1*u.MPa, 1, 1e-3)
+pushed("pair pushed under 5 MPa, brittle", nil, 5*u.MPa, 1, 1e-3)
+pushed("pair pushed under 0.1 MPa, softening", soft, 0.1*u.MPa, 1, 1e-3)
+pushed("pair pushed under 1 MPa, softening", soft, 1*u.MPa, 1, 1e-3)
+pushed("rigid pair pushed, nothing on it", nil, 0, "rigid", 1e-6)
+
+-- Bonds without cohesion let go at once; what is left is rubble that is pulled apart.
+local rubble = talus.simulation {
+  regions = { plate { mesh = { size = 0.15 }, cuts = { notch }, joint = talus.joint {
+    tension = 0.5*u.MPa, cohesion = 0, reduction = talus.laws.softening { G_I = 2 } } } },
+  fix = pulled(0.1*u.mm), time = { mode = "static", steps = 5 }, fracture = { path = "mesh" } }
+rubble:run()
+talus.check.below("notched plate of bonds without cohesion: unexplained at the end, of the work put in",
+                  math.abs(rubble.energy.unexplained)/rubble.energy.scale, 1e-3)
+
+-- A bar of 2 m pulled or sheared along one bond of 1 m takes G, whatever the law's shape.
+local function taken(name, shear, shape, energy)
+  local joint = talus.joint { tension = (shear and 5 or 1)*u.MPa, cohesion = (shear and 1 or 20)*u.MPa, friction = 0,
+                              reduction = talus.laws.softening { G_I = shear and 10*energy or energy, G_II = shear and energy or 10*energy, shape = shape,
+                                                                 residual = { cohesion = 0, tension = 0, friction = 0 } } }
+  local way = (shape == "linear" and 3 or 12)*energy/(1*u.MPa)
+  local sim = talus.simulation {
+    regions = { talus.region { name = "bar", outline = talus.rect(0, 0, 2, 1), material = rock, joint = joint,
+                               cuts = { talus.trace { points = { {1, 0}, {1, 1} }, bonded = true } } } },
+    fix = { talus.fix { region = "bar", on = "left" },
+            talus.fix { region = "bar", on = "right", displacement = shear and { 0, {{0, 0}, {1, way}} } or { {{0, 0}, {1, way}}, 0 } } },
+    time = { mode = "static", steps = 200 } }
+  sim:run()
+  talus.check.near(name .. ": taken by the bond, of G times its length", sim.energy.fracture/energy, 1, { rel = 0.01 })
+end
+taken("bar pulled, linear softening", false, "linear", 400)
+taken("bar pulled, exponential softening", false, "exponential", 400)
+taken("bar sheared, linear softening", true, "linear", 800)
+taken("bar sheared, exponential softening", true, "exponential", 800)
 
 local flung = account("bar torn in motion", {
   regions = { talus.region { name = "bar", outline = talus.rect(0, 0, 2, 0.5), material = rock, joint = joint,
