@@ -160,9 +160,10 @@ void Fracture::weaken() {
 
 void Fracture::weaken(Joint& joint, double normal) {
   const JointProperty& property = model_.scene.properties[joint.property];
-  joint.remaining = property.reduction
-                        ? property.reduction(model_.strength(joint), {joint.most_slip, joint.most_opening, normal})
-                        : property.residual;
+  const Strength intact = model_.strength(joint);
+  const Strength left = property.reduction ? property.reduction(intact, {joint.most_slip, joint.most_opening, normal}) : property.residual;
+  // The residual is the property's; the strength of this one may be scattered below it.
+  joint.remaining = {left.friction, std::min(left.cohesion, intact.cohesion), std::min(left.tension, intact.tension)};
 }
 
 void Fracture::restored() { model_.fragment = find_fragments(model_); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace {
 
 struct Blocks {
   int bonds = 0, too_large = 0;
-  double smallest = 0, largest_allowed = 0;  // m, √area; E · softening_compliance of the stiffest rock
+  double smallest = 0, largest_allowed = 0;  // m, √area; E · softening_compliance of the stiffest rock and strongest bond
 };
 
 std::string metres(double value) {
@@ -25,8 +26,10 @@ std::string metres(double value) {
 std::string check_snap_back(const Model& model) {
   std::vector<Blocks> blocks(model.scene.properties.size());
   for (const Joint& joint : model.joints) {
-    const double compliance = model.scene.properties[joint.property].softening_compliance;
-    if (!joint.bonded || compliance == 0) continue;
+    const JointProperty& property = model.scene.properties[joint.property];
+    const double lost = model.strength(joint).tension - property.residual.tension;
+    if (!joint.bonded || property.softening_compliance == 0 || lost <= 0) continue;
+    const double compliance = property.softening_compliance * std::pow((property.tension - property.residual.tension) / lost, 2);
     const double size = (model.shapes[joint.a].length + model.shapes[joint.b].length) / 2;
     const double allowed = compliance * std::max(model.material(joint.a).young, model.material(joint.b).young);
     Blocks& of = blocks[joint.property];

@@ -56,7 +56,8 @@ void check_cuts(const Region& region, const Cuts& cuts, const Tessellation& t, s
     const int set = cuts.set[face.trace];
     (set >= 0 ? sets[set] : traces[-1 - set]) = true;
   }
-  const char* given = "one that cuts nothing off: it lies outside, or ends inside a block (a mesh keeps such ends)";
+  const std::string why = "outside, on the outline, on another joint or too near to it for blocks between, or ends inside a block";
+  const std::string given = "one that cuts nothing off: it lies " + why + " (a mesh keeps such ends)";
   long drawn = 0, idle = 0;
   for (size_t k = 0; k < traces.size(); ++k) {
     drawn += region.traces[k].drawn;
@@ -65,7 +66,7 @@ void check_cuts(const Region& region, const Cuts& cuts, const Tessellation& t, s
   }
   if (idle > 0)
     notes.push_back("region \"" + region.name + "\": " + std::to_string(idle) + " of " + std::to_string(drawn) +
-                    " traces from files bound no block: they lie outside, or end inside a block");
+                    " traces from files bound no block: each lies " + why);
   for (size_t k = 0; k < sets.size(); ++k)
     if (!sets[k])
       throw InputError(region.joint_sets[k].place, "joint_set", "joints that bound blocks of their region", given);

@@ -127,7 +127,9 @@ void Simulation::begin() {
       if (settled) settle();
     }
   if (totals.failures > 0)
-    notes.push_back(std::to_string(totals.failures) + " bonds are beyond their strength at the start: they begin as cracks");
+    notes.push_back(totals.failures == 1
+                        ? "1 bond is beyond its strength at the start: it begins as a crack"
+                        : std::to_string(totals.failures) + " bonds are beyond their strength at the start: they begin as cracks");
   if (plan.viscous && !plan.dynamic)
     notes.push_back("viscous boundaries are held like fixed edges: in a static scene nothing moves that they could absorb");
   stepper_->begin_ledger();

@@ -61,7 +61,7 @@ local function split(size)
   talus.check.below(label .. "unexplained energy, of the work put in", math.abs(sim.energy.unexplained)/sim.energy.scale, 0.01)
   return seen.splitting
 end
-for _, size in ipairs(full and { 1.74, 1.78, 1.8, 1.82, 1.85 } or { 1.78, 1.85 }) do splitting[#splitting + 1] = split(size) end
+for _, size in ipairs(full and { 1.72, 1.76, 1.8, 1.84, 1.88 } or { 1.76, 1.84 }) do splitting[#splitting + 1] = split(size) end
 if full then talus.check.near("fine disc: splitting load, kN/m", split(0.88)/u.kN, expected/u.kN, { rel = 0.03 }) end
 table.sort(splitting)
 local median = (splitting[(#splitting + 1)//2] + splitting[#splitting//2 + 1])/2
