@@ -14,7 +14,7 @@ local size = talus.param("size", 1.78*u.mm, "triangle edge, m")
 
 local body = talus.region { name = "disc", outline = disc.outline(size), material = disc.rock, mesh = { size = size },
                             joint = disc.joint() }
-local sim, seen = disc.break_up(body, { title = "Flattened disc, intact", output = { dir = "out/disc" } })
+local sim, seen = disc.break_up(body, { title = "Flattened disc, without a flaw", output = { dir = "out/disc" } })
 
 print(string.format("%d blocks; first crack at (%.1f, %.1f) mm, %.2f kN/m; split at %.2f kN/m; %.1f mm cracked in tension, %.1f mm"
                     .. " in shear", #sim.blocks, 1e3*seen.first.x, 1e3*seen.first.y, seen.initiation/u.kN, seen.splitting/u.kN,

@@ -1,5 +1,5 @@
 -- A criterion of failure and a law of what is left, written in Lua: the flattened disc breaks as with the laws of the engine.
--- Run: scripts/run examples/09_custom_law.lua    (2 s CPU)
+-- Run: scripts/run examples/09_custom_law.lua    (5 s CPU)
 -- Teaches: criterion and reduction of a joint as functions, and that they give the same cracks as the laws they copy.
 -- Source: Ning, Yang, An & Ma (2011), eqs. 1 and 2; residual friction 35 degrees and cohesion 0.05 MPa as there.
 local talus = require "talus"

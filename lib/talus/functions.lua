@@ -6,7 +6,7 @@ return {
       .. "inside a step (in a law) it can only be read.",
     { "sim:step()",
       "one accepted step; its status {step, time, dt, iterations, cuts, factorisations, residual, displacement,"
-        .. " closed_contacts}, or nil when the run is finished" },
+        .. " closed_contacts, failures (bonds), utilisation (static: the highest that the load step reached)}, or nil when the run is finished" },
     { "for status in sim:steps() do", "steps until the run is finished" },
     { "sim:run()", "the same, without stopping in between; the status of the last step" },
     { "sim:stop()", "finishes the run after this step" },
@@ -27,7 +27,7 @@ return {
       .. " same by name), norm (√(J/m))}; computed when it is read. nil where no blocks are bonded or `numerics.recovery` is off" },
     { "sim.totals",
       "{steps, steps_at_rest (nothing moved, nothing was solved), steps_by_sweeps (without a factor), islands {at_rest, single"
-        .. " (a block alone), by_sweeps, with_factor, asleep}, iterations, sweeps (over the contacts), splittings (iterations), cuts, factorisations, largest_iterations, largest_residual, seconds}; seconds: CPU time by part" },
+        .. " (a block alone), by_sweeps, with_factor, asleep}, iterations, sweeps (over the contacts), splittings (iterations), cuts, factorisations, largest_iterations, largest_residual, failures (bonds), largest_utilisation (in static load steps: by how much a strength was passed), seconds}; seconds: CPU time by part" },
     { "sim.cracks", "cracks of bonds that have failed and hang together: { {joints, length, tension, shear}, … } with the lengths of"
         .. " all in `tension` and `shear` (m)" },
     { "sim.fragments", "what hangs together by intact bonds: { {blocks (how many), first (block), region, held (whether it is at a support"
