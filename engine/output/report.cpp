@@ -34,6 +34,8 @@ void add_totals(Json& json, const RunTotals& totals) {
   json.object("islands").whole("at_rest", totals.islands.at_rest).whole("single", totals.islands.single);
   json.whole("by_sweeps", totals.islands.by_sweeps).whole("with_factor", totals.islands.with_factor);
   json.whole("asleep", totals.islands.asleep).end();
+  if (totals.failures > 0) json.whole("failed_bonds", totals.failures);
+  if (totals.largest_utilisation > 0) json.number("largest_utilisation", totals.largest_utilisation);
   if (totals.inaccurate > 0) json.whole("inaccurate_steps", totals.inaccurate);
   json.whole("sweeps", totals.sweeps).whole("splittings", totals.splittings).whole("factorisations", totals.factorisations).number("largest_residual", totals.largest_residual);
 }

@@ -65,6 +65,7 @@ void add_summary(Page& page, const Simulation& simulation, const RunAccount& acc
   page.row("steps", std::to_string(totals.steps) + (totals.cuts > 0 ? ", " + std::to_string(totals.cuts) + " cut" : ""));
   page.row("open–close iterations", std::to_string(totals.iterations) + ", at most " + std::to_string(totals.largest_iterations) + " a step");
   if (totals.failures > 0) page.row("bonds failed", std::to_string(totals.failures));
+  if (totals.largest_utilisation > 0) page.row("highest utilisation of a bond when it was judged", significant(totals.largest_utilisation, 3));
   page.row("largest residual", significant(totals.largest_residual, 3));
   page.row("CPU time", shown(account.cpu_seconds, "s", 3) + " in " + shown(account.wall_seconds, "s", 3));
   page.end_table();

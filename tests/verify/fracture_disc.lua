@@ -51,9 +51,13 @@ talus.check.between("elasticity: load at which the diameter reaches its strength
 
 local splitting = {}
 local function split(size)
-  local sim, seen = disc.break_up(body(size*u.mm, disc.joint()), nil, { until_through = true })
+  local passed = 0  -- by increments of load; what fails under a held load may be used by any part
+  local sim, seen = disc.break_up(body(size*u.mm, disc.joint()), {
+    on_step = function(sim) if sim.last.failures == 0 then passed = math.max(passed, sim.last.utilisation) end end,
+  }, { until_through = true })
   local label = string.format("disc of %d blocks: ", #sim.blocks)
   talus.check.truth(label .. "split", seen.through ~= nil)
+  talus.check.between(label .. "highest utilisation that an increment of load comes to", passed, 1, 1.01)
   talus.check.below(label .. "first crack, |x|/D", math.abs(seen.first.x)/(2*disc.radius), 0.1)
   talus.check.below(label .. "first crack, |y|/D", math.abs(seen.first.y)/(2*disc.radius), 0.3)
   talus.check.above(label .. "failed length within 0.1 D of the loaded diameter",
