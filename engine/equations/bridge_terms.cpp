@@ -13,6 +13,8 @@ namespace {
 // Part of the reach over which the slope of a law is taken: small against what a law changes over, large against
 // rounding.
 constexpr double slope_step = 1e-3;
+// Of a jump, that places are rounded by: far above 1e-16 of a scene over the jump, far below what is worn in a step.
+constexpr double jump_rounding = 1e-9;
 
 struct Pull {
   double traction = 0, tangent = 0, line = 0;  // Pa, Pa/m; slope of the line
@@ -23,7 +25,7 @@ template <class Law>
 Pull pull(const Bridge& bridge, double x, const Law& strength) {
   if (bridge.reach <= 0) return {};
   const double beyond = x - bridge.reach;
-  if (beyond < bridge.worn) {  // at its worst jump it is expected to go on
+  if (beyond < bridge.worn - jump_rounding * x) {  // at its worst jump it is expected to go on
     const double line = strength(bridge.worn) / (bridge.reach + bridge.worn);
     return {std::max(0.0, line * x), x > 0 ? line : 0, line};
   }
