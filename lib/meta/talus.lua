@@ -637,14 +637,14 @@ function talus.lab.brazilian(fields) end
 ---@field tolerance? number in (0, 0.5); part by which strengths may miss
 ---@field most? integer in [1, 50]; rounds before it gives up, with the best so far
 
----Joint values that give wanted strengths on a mesh of a given size, by repeated small tests (`talus.lab`): cohesion from the uniaxial strength, tension from the Brazilian one, friction from a confined strength where one is given. Returns `joint` (`{ friction, cohesion, tension }`, fields for talus.joint), `reached` (`{ young, ucs, tensile, confined }`, Pa, as measured with these values), `off` (largest part by which a strength misses), `converged` and `rounds`. Young's modulus needs no joint values: bonds add no compliance. What it cannot reach: a Brazilian strength above about a tenth of the uniaxial one, as flats of 7.2° are crushed before the disc splits (`converged` is false then, `reached` says what came of it). Brittle strengths scatter by some per cent from mesh to mesh (`meshes`).
+---Joint values that give wanted strengths on a mesh of a given size, by repeated small tests (`talus.lab`): cohesion from the uniaxial strength, tension from the Brazilian one, friction from a confined strength where one is given. Returns `joint` (`{ friction, cohesion, tension }`, fields for talus.joint), `reached` (`{ young, ucs, tensile, confined }`, Pa, as measured with these values), `off` (largest part by which a strength misses), `rounds`, `converged` and where that is false `reason`: also a test that finds no strength or stops ends it so. Young's modulus needs no joint values: bonds add no compliance. What it cannot reach: a Brazilian strength above about a tenth of the uniaxial one, as flats of 7.2° are crushed before the disc splits (`converged` is false then, `reached` says what came of it). Brittle strengths scatter by some per cent from mesh to mesh (`meshes`).
 ---@param fields talus.calibrate
----@return talus.calibrate
+---@return table
 function talus.calibrate(fields) end
 
 ---@class talus.confined
 ---@field pressure number Pa; > 0; at the sides
----@field strength number Pa; > 0; the axial stress it bears; above ucs
+---@field strength number Pa; > 0; the axial stress it bears; above ucs and above the pressure
 
 ---@class talus.refine
 ---@field scene function `function(size)` that returns the simulation, `size` being what to give as `mesh = { size = size }`: a number first, then a function of x and y
