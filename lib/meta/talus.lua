@@ -72,6 +72,18 @@ function talus.laws.slip_weakening(fields) end
 ---@return talus.barton_bandis
 function talus.laws.barton_bandis(fields) end
 
+---@class talus.hoek_brown
+---@field ucs number Pa; > 0; uniaxial compressive strength of the intact rock
+---@field mi number > 0; constant of the intact rock, about 4 to 33
+---@field gsi? number in [0, 100]; geological strength index; 100: intact rock
+---@field disturbance? number in [0, 1]; D, by blasting and relaxation
+---@field confinement? number Pa; > 0; the largest σ3 that the line is for
+
+---Strengths of a joint after Hoek and Brown's criterion: returns `{ friction, cohesion, tension }`, fields for talus.joint. Friction and cohesion are those of the straight line that fits σ1 over σ3 best (least squares) from the tensile strength to `confinement`; tension is where the curve ends.
+---@param fields talus.hoek_brown
+---@return table<string, number>
+function talus.laws.hoek_brown(fields) end
+
 ---@class talus.weibull
 ---@field modulus number in [1, 1000]; shape; scatter about 1.2/modulus
 ---@field seed? integer in [0, 4294967295]; the same seed gives the same strengths

@@ -131,22 +131,15 @@ function laws.flatten(joint, flat)
   if scatter then flat.weibull, flat.seed = of(scatter, "modulus"), of(scatter, "seed") end
 end
 
--- Strengths of a joint from Hoek and Brown's criterion (Hoek, Carranza-Torres & Corkum 2002): fields for talus.joint.
--- ucs: uniaxial strength of the intact rock, Pa; mi; gsi 0–100; disturbance 0–1; confinement: largest, Pa.
+-- Strengths of a joint from Hoek and Brown's criterion (Hoek, Carranza-Torres & Corkum 2002, equations 2 to 5, 7, 12 and 13).
 function laws.hoek_brown(fields)
-  local places = require "talus.places"
-  local given = type(fields) == "table" and fields or {}
-  for _, name in ipairs { "ucs", "mi" } do
-    if not (finite(given[name]) and given[name] > 0) then
-      places.fail(places.here(), ("talus.laws.hoek_brown.%s: expected a number > 0, got %s"):format(name,
-        native.describe(given[name])))
-    end
-  end
-  local ucs, mi, gsi, d = given.ucs, given.mi, given.gsi or 100, given.disturbance or 0
+  object = object or require "talus.object"
+  local given = object.new("hoek_brown", fields)
+  local ucs, mi, gsi, d = of(given, "ucs"), of(given, "mi"), of(given, "gsi"), of(given, "disturbance")
   local mb = mi*math.exp((gsi - 100)/(28 - 14*d))
   local s = math.exp((gsi - 100)/(9 - 3*d))
   local a = 1/2 + (math.exp(-gsi/15) - math.exp(-20/3))/6
-  local n = (given.confinement or ucs/4)/ucs
+  local n = (of(given, "confinement") or ucs/4)/ucs
   local k = (s + mb*n)^(a - 1)
   local sine = 6*a*mb*k/(2*(1 + a)*(2 + a) + 6*a*mb*k)
   local cohesion = ucs*((1 + 2*a)*s + (1 - a)*mb*n)*k

@@ -105,6 +105,20 @@ return {
   {
     kind = "weibull", call = "talus.laws.weibull",
     doc = "Strengths of bonds scattered by Weibull's distribution about those of the joint, their mean.",
+  {
+    kind = "hoek_brown", call = "talus.laws.hoek_brown", returns = "table<string, number>",
+    doc = "Strengths of a joint after Hoek and Brown's criterion: returns `{ friction, cohesion, tension }`, fields for talus.joint."
+      .. " Friction and cohesion are those of the straight line that fits σ1 over σ3 best (least squares) from the tensile strength to"
+      .. " `confinement`; tension is where the curve ends.",
+    fields = {
+      { name = "ucs", type = "number", above = 0, unit = "Pa", required = true, doc = "uniaxial compressive strength of the intact rock",
+        source = "Hoek, Carranza-Torres & Corkum 2002" },
+      { name = "mi", type = "number", above = 0, required = true, doc = "constant of the intact rock, about 4 to 33" },
+      { name = "gsi", type = "number", least = 0, most = 100, default = 100, doc = "geological strength index; 100: intact rock" },
+      { name = "disturbance", type = "number", least = 0, most = 1, default = 0, doc = "D, by blasting and relaxation" },
+      { name = "confinement", type = "number", above = 0, unit = "Pa", default_doc = "ucs/4", doc = "the largest σ3 that the line is for" },
+    },
+  },
     fields = {
       { name = "modulus", type = "number", least = 1, most = 1000, required = true, doc = "shape; scatter about 1.2/modulus" },
       { name = "seed", type = "integer", least = 0, most = 4294967295, default = 1, doc = "the same seed gives the same strengths" },
