@@ -40,8 +40,12 @@ return {
       { name = "criterion", type = "function",
         default_doc = "maximum tension and Mohr–Coulomb on the mean traction of the edge",
         doc = "`function(t)` that returns how far a bond's strength is used; it fails at 1. `t` has the tractions `normal`"
-          .. " (tension positive) and `shear`, and the strengths `tension`, `cohesion` (Pa), `friction` (rad). Best in"
-          .. " proportion to the traction: static load increments are found by it", source = "Ning et al. 2011, eq. 1–2" },
+          .. " (tension positive) and `shear`, and the strengths `tension`, `cohesion` (Pa), `friction` (rad); where it asks for them,"
+          .. " also the bond's `id` (as in `sim.joints`), `length` (m, at the start), `x`, `y` (m, of its middle now), `dip` (rad, of"
+          .. " its edge against +x, above −π/2 to π/2) and `property` (name of its talus.joint); tried with a bond of length 1 at (0, 0)."
+          .. " It leaves the strengths in `t` as they are. The answer is finite and >= 0, best in proportion to the traction: static load"
+          .. " increments are found by it. Whether the bond fails in tension or in shear is not the criterion's to say: tension, where it"
+          .. " pulls at least as hard as it shears", source = "Ning et al. 2011, eq. 1–2" },
       { name = "scatter", type = "object", kinds = { "weibull" }, doc = "of the strength from bond to bond" },
       { name = "bond", type = "enum", values = { "exact", "spring" }, default = "exact",
         doc = "how intact bonds are held: `exact` (consistent flux plus penalty, no joint compliance) or `spring` "
@@ -103,9 +107,6 @@ return {
     },
   },
   {
-    kind = "weibull", call = "talus.laws.weibull",
-    doc = "Strengths of bonds scattered by Weibull's distribution about those of the joint, their mean.",
-  {
     kind = "hoek_brown", call = "talus.laws.hoek_brown", returns = "table<string, number>",
     doc = "Strengths of a joint after Hoek and Brown's criterion: returns `{ friction, cohesion, tension }`, fields for talus.joint."
       .. " Friction and cohesion are those of the straight line that fits σ1 over σ3 best (least squares) from the tensile strength to"
@@ -119,6 +120,9 @@ return {
       { name = "confinement", type = "number", above = 0, unit = "Pa", default_doc = "ucs/4", doc = "the largest σ3 that the line is for" },
     },
   },
+  {
+    kind = "weibull", call = "talus.laws.weibull",
+    doc = "Strengths of bonds scattered by Weibull's distribution about those of the joint, their mean.",
     fields = {
       { name = "modulus", type = "number", least = 1, most = 1000, required = true, doc = "shape; scatter about 1.2/modulus" },
       { name = "seed", type = "integer", least = 0, most = 4294967295, default = 1, doc = "the same seed gives the same strengths" },
