@@ -111,8 +111,8 @@ std::vector<int> CrackTracking::last_bonds() const {
 void CrackTracking::lead(int due, const std::vector<int>& last, std::vector<int>& chosen) {
   const Joint& first = model_.joints[due];
   const bool at_tip[] = {last[first.node[0]] >= 0, last[first.node[1]] >= 0};
-  const Utilisation by = utilisation(mean_traction(first), model_.strength(first));
-  const bool in_shear = by.shear > by.tension && utilisation(model_, first) >= first.utilisation;
+  const bool in_shear = failure_mode(model_, first, mean_traction(first)) == FailureMode::shear &&
+                        utilisation(model_, first) >= first.utilisation;
   chosen.push_back(due);
   if (at_tip[0] == at_tip[1] || in_shear) return;
   const int node = first.node[at_tip[0] ? 0 : 1];

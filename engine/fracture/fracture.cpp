@@ -45,10 +45,7 @@ Fracture::Fracture(Model& model) : model_(model), at_node_(model.nodes.position.
 }
 
 double Fracture::judge() {
-  for (const int j : breakable_) {
-    Joint& joint = model_.joints[j];
-    if (joint.state == JointState::intact) joint.utilisation = utilisation(model_, joint);
-  }
+  talus::judge(model_, breakable_);
   if (tracking_) tracking_->judge();
   double most = 0;
   for (const int j : breakable_)
@@ -101,8 +98,7 @@ void Fracture::fail(const std::vector<int>& joints, double time) {
   for (const int j : joints) {
     Joint& joint = model_.joints[j];
     joint.failed_with = mean_traction(joint);
-    const Utilisation by = utilisation(joint.failed_with, model_.strength(joint));
-    joint.mode = joint.path_turn != 0 || by.tension >= by.shear ? FailureMode::tension : FailureMode::shear;
+    joint.mode = joint.path_turn != 0 ? FailureMode::tension : failure_mode(model_, joint, joint.failed_with);
     joint.crack = crack_kind(crack_at_node, joint);
     joint.failed_at = time;
     events_.push_back(j);

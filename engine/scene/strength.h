@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
+
+#include "geometry/vec2.h"
 
 namespace talus {
 
@@ -11,6 +14,7 @@ struct Strength {
   double friction = 0;  // angle, rad
   double cohesion = 0;  // Pa
   double tension = 0;   // Pa
+  bool operator==(const Strength&) const = default;
 };
 
 // Mean traction of a bond over its edge, Pa, tension positive.
@@ -25,9 +29,25 @@ inline BondTraction taken_over(const BondTraction& bond, const Strength& left) {
   return {bond.normal, std::clamp(bond.shear, -limit, limit)};
 }
 
-// Utilisation of a bond: it fails at 1. Proportional to the traction, or the load increments that are found from it are
-// merely more.
-using FailureCriterion = std::function<double(const BondTraction& traction, const Strength& intact)>;
+// A bond that is judged. `used`: its utilisation, the answer; it fails at 1.
+struct JudgedBond {
+  int joint = 0;
+  BondTraction traction;
+  Strength intact;
+  double used = 0;
+};
+
+// Where a bond lies now.
+struct BondPlace {
+  double length = 0;  // m, at the start
+  Vec2 middle;        // m
+  double dip = 0;     // rad, of its edge against +x, in (-π/2, π/2]
+};
+using BondPlaces = std::function<BondPlace(int joint)>;
+
+// Utilisations of bonds, finite and >= 0; of many at once, as the way into a script costs as much as what it computes. Their places are
+// looked up only where they are asked for. Proportional to the traction, or the load increments that are found from it are merely more.
+using FailureCriterion = std::function<void(std::span<JudgedBond> bonds, const BondPlaces& places)>;
 
 // What a failed joint has been through: the largest slip and opening since it failed (m, >= 0) and the normal traction (Pa).
 struct JointWear {

@@ -100,9 +100,15 @@ int native_create(lua_State* L) {
   return 1;
 }
 
-// explain(simulation, joint) -> text; joint: its number, from 1
+// explain(simulation, joint) -> text; joint: one of the simulation, or its number, from 1
 int native_explain(lua_State* L) {
-  lua_pushstring(L, explain(check_simulation(L, 1).simulation.model, int(luaL_checkinteger(L, 2)) - 1).c_str());
+  const Run& run = check_simulation(L, 1);
+  const auto count = lua_Integer(run.simulation.model.joints.size());
+  const lua_Integer id = lua_isinteger(L, 2) ? lua_tointeger(L, 2) : item_id(L, 2, run, ViewKind::joints);
+  if (id < 1 || id > count)
+    refuse(L, "sim:explain: expected a joint of this simulation or its number, from 1 to " + std::to_string(count) + ", got " +
+                  describe_item(L, 2, run));
+  lua_pushstring(L, explain(run.simulation.model, int(id) - 1).c_str());
   return 1;
 }
 

@@ -191,7 +191,9 @@ int simulation_run(lua_State* L) {
 }
 
 int simulation_stop(lua_State* L) {
-  check_simulation(L, 1).stop();
+  Run& run = check_simulation(L, 1);
+  run.refuse_inside_step(L, "sim:stop()");
+  run.stop();
   return 0;
 }
 
@@ -222,6 +224,7 @@ int simulation_index(lua_State* L) {
 int simulation_set(lua_State* L) {
   const std::string name = luaL_tolstring(L, 2, nullptr);
   if (name != "state") refuse(L, "sim." + name + " cannot be set; sim.state can");
+  check_simulation(L, 1).refuse_inside_step(L, "sim.state = …");
   if (!lua_istable(L, 3)) refuse(L, "sim.state: expected a table, got " + describe(L, 3));
   lua_pushvalue(L, 3);
   lua_setiuservalue(L, 1, 1);

@@ -275,4 +275,15 @@ void push_item(lua_State* L, const std::shared_ptr<Run>& run, ViewKind kind, int
   push_userdata(L, ItemView{run, kind, id}, item_metatable);
 }
 
+int item_id(lua_State* L, int index, const Run& run, ViewKind kind) {
+  const auto* item = static_cast<ItemView*>(luaL_testudata(L, index, item_metatable));
+  return item && item->run.get() == &run && item->kind == kind ? item->id + 1 : 0;
+}
+
+std::string describe_item(lua_State* L, int index, const Run& run) {
+  const auto* item = static_cast<ItemView*>(luaL_testudata(L, index, item_metatable));
+  if (!item) return describe(L, index);
+  return std::string(item_word(item->kind)) + " " + std::to_string(item->id + 1) + (item->run.get() == &run ? "" : " of another simulation");
+}
+
 }  // namespace talus

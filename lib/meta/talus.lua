@@ -23,7 +23,7 @@ function talus.material(fields) end
 ---@field tension? number Pa; >= 0; tensile strength of bonds; without it Mohr–Coulomb's line goes on to where it ends. What is no bond carries none
 ---@field residual? talus.residual|table what a failed bond still carries, at once
 ---@field reduction? function|talus.softening|talus.slip_weakening|talus.barton_bandis instead of residual: a `talus.laws`, or `function(intact, slip, opening, normal)` that returns what a failed bond still carries, `{ friction = …, cohesion = …, tension = … }`, after the largest slip and opening so far (m) under the normal traction (Pa); a field left out is 0, friction that of `intact`
----@field criterion? function `function(t)` that returns how far a bond's strength is used; it fails at 1. `t` has the tractions `normal` (tension positive) and `shear`, and the strengths `tension`, `cohesion` (Pa), `friction` (rad). Best in proportion to the traction: static load increments are found by it
+---@field criterion? function `function(t)` that returns how far a bond's strength is used; it fails at 1. `t` has the tractions `normal` (tension positive) and `shear`, and the strengths `tension`, `cohesion` (Pa), `friction` (rad); where it asks for them, also the bond's `id` (as in `sim.joints`), `length` (m, at the start), `x`, `y` (m, of its middle now), `dip` (rad, of its edge against +x, above −π/2 to π/2) and `property` (name of its talus.joint); tried with a bond of length 1 at (0, 0). It leaves the strengths in `t` as they are. The answer is finite and >= 0, best in proportion to the traction: static load increments are found by it. Whether the bond fails in tension or in shear is not the criterion's to say: tension, where it pulls at least as hard as it shears
 ---@field scatter? talus.weibull of the strength from bond to bond
 ---@field bond? "exact"|"spring" how intact bonds are held: `exact` (consistent flux plus penalty, no joint compliance) or `spring` (springs at the ends of an edge)
 ---@field penalty? number > 1; exact bonds: multiple of the least stiffness that is positive definite by proof
@@ -71,6 +71,18 @@ function talus.laws.slip_weakening(fields) end
 ---@param fields talus.barton_bandis
 ---@return talus.barton_bandis
 function talus.laws.barton_bandis(fields) end
+
+---@class talus.hoek_brown
+---@field ucs number Pa; > 0; uniaxial compressive strength of the intact rock
+---@field mi number > 0; constant of the intact rock, about 4 to 33
+---@field gsi? number in [0, 100]; geological strength index; 100: intact rock
+---@field disturbance? number in [0, 1]; D, by blasting and relaxation
+---@field confinement? number Pa; > 0; the largest σ3 that the line is for
+
+---Strengths of a joint after Hoek and Brown's criterion: returns `{ friction, cohesion, tension }`, fields for talus.joint. Friction and cohesion are those of the straight line that fits σ1 over σ3 best (least squares) from the tensile strength to `confinement`; tension is where the curve ends.
+---@param fields talus.hoek_brown
+---@return table<string, number>
+function talus.laws.hoek_brown(fields) end
 
 ---@class talus.weibull
 ---@field modulus number in [1, 1000]; shape; scatter about 1.2/modulus
@@ -637,14 +649,14 @@ function talus.lab.brazilian(fields) end
 ---@field tolerance? number in (0, 0.5); part by which strengths may miss
 ---@field most? integer in [1, 50]; rounds before it gives up, with the best so far
 
----Joint values that give wanted strengths on a mesh of a given size, by repeated small tests (`talus.lab`): cohesion from the uniaxial strength, tension from the Brazilian one, friction from a confined strength where one is given. Returns `joint` (`{ friction, cohesion, tension }`, fields for talus.joint), `reached` (`{ young, ucs, tensile, confined }`, Pa, as measured with these values), `off` (largest part by which a strength misses), `converged` and `rounds`. Young's modulus needs no joint values: bonds add no compliance. What it cannot reach: a Brazilian strength above about a tenth of the uniaxial one, as flats of 7.2° are crushed before the disc splits (`converged` is false then, `reached` says what came of it). Brittle strengths scatter by some per cent from mesh to mesh (`meshes`).
+---Joint values that give wanted strengths on a mesh of a given size, by repeated small tests (`talus.lab`): cohesion from the uniaxial strength, tension from the Brazilian one, friction from a confined strength where one is given. Returns `joint` (`{ friction, cohesion, tension }`, fields for talus.joint), `reached` (`{ young, ucs, tensile, confined }`, Pa, as measured with these values), `off` (largest part by which a strength misses), `rounds`, `converged` and where that is false `reason`: also a test that finds no strength or stops ends it so. Young's modulus needs no joint values: bonds add no compliance. What it cannot reach: a Brazilian strength above about a tenth of the uniaxial one, as flats of 7.2° are crushed before the disc splits (`converged` is false then, `reached` says what came of it). Brittle strengths scatter by some per cent from mesh to mesh (`meshes`).
 ---@param fields talus.calibrate
----@return talus.calibrate
+---@return table
 function talus.calibrate(fields) end
 
 ---@class talus.confined
 ---@field pressure number Pa; > 0; at the sides
----@field strength number Pa; > 0; the axial stress it bears; above ucs
+---@field strength number Pa; > 0; the axial stress it bears; above ucs and above the pressure
 
 ---@class talus.refine
 ---@field scene function `function(size)` that returns the simulation, `size` being what to give as `mesh = { size = size }`: a number first, then a function of x and y

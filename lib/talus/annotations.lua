@@ -66,7 +66,7 @@ local function kind_lines(kind, seen, lines)
   tables_of(call, seen, lines)
   lines[#lines + 1] = "---" .. one_line(entry.doc)
   lines[#lines + 1] = ("---@param fields talus.%s"):format(kind)
-  lines[#lines + 1] = ("---@return talus.%s"):format(kind == "simulation" and "run" or kind)
+  lines[#lines + 1] = "---@return " .. (entry.returns or "talus." .. (kind == "simulation" and "run" or kind))
   lines[#lines + 1] = ("function %s(fields) end\n"):format(call)
 end
 

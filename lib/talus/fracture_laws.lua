@@ -59,16 +59,25 @@ function laws.check_residual(values, residual, path, bad)
   end
 end
 
+-- What a criterion sees of a bond, with a stand-in for where that lies. As in a run its metatable cannot be taken away.
+local function asked(values, intact, normal, shear)
+  local bond = { id = 1, length = 1, x = 0, y = 0, dip = 0, property = values.name or "joint 1" }
+  return setmetatable({ normal = normal, shear = shear, tension = intact.tension, cohesion = intact.cohesion,
+                        friction = intact.friction }, { __index = bond, __metatable = false })
+end
+
 function laws.try_criterion(values, bad)
   if not values.criterion then return end
   local intact = strength(values)
   for _, load in ipairs { { 0, 0 }, { 1, 1 }, { -1, 1 } } do
     local given = ("at normal = %g, shear = %g"):format(load[1], load[2])
-    local t = { normal = load[1], shear = load[2], tension = intact.tension, cohesion = intact.cohesion,
-                friction = intact.friction }
-    local first, second = trial.twice(values.criterion, "criterion", given, bad, t)
-    if not math.type(first) or first ~= first then
-      bad("criterion", "a number (how far the strength is used) " .. given, native.describe(first))
+    local bond = asked(values, intact, load[1], load[2])
+    local first, second = trial.twice(values.criterion, "criterion", given, bad, bond)
+    for name, value in pairs(intact) do
+      if bond[name] ~= value then bad("criterion", "a function that leaves what it is given as it is", "one that sets t." .. name) end
+    end
+    if not (finite(first) and first >= 0) then
+      bad("criterion", "a finite number >= 0 (how far the strength is used) " .. given, native.describe(first))
     end
     if first ~= second then
       bad("criterion", "the same answer to the same traction " .. given, ("%s, then %s"):format(first, second))
@@ -76,28 +85,52 @@ function laws.try_criterion(values, bad)
   end
 end
 
-local remains = { friction = true, cohesion = true, tension = true }
+local remains = { "friction", "cohesion", "tension" }
+local known = { friction = true, cohesion = true, tension = true }
+
+-- One strength of what a reduction returned.
+local function try_left(name, left, own, given, bad)
+  if left == nil then return end
+  if name == "friction" then
+    if not (finite(left) and left >= 0 and left <= math.pi/2) then
+      local hint = finite(left) and left > 0 and left < 90 and ("; in degrees? write %g*talus.units.deg"):format(left) or ""
+      bad("reduction", "a friction in [0, π/2] (rad) " .. given, native.describe(left) .. hint)
+    end
+  elseif not (finite(left) and left >= 0) then
+    bad("reduction", ("a %s >= 0 %s"):format(name, given), native.describe(left))
+  elseif left > own*(1 + 1e-12) then
+    bad("reduction", ("a %s of at most the joint's own, %g (Pa) %s"):format(name, own, given), ("%g"):format(left))
+  end
+end
+
+-- The law with its answer read: what it does when it is read belongs to it.
+local function read(law)
+  return function(...)
+    local answer = law(...)
+    if type(answer) ~= "table" then return answer end
+    local fields = {}
+    for name in pairs(answer) do fields[name] = answer[name] end
+    for _, name in ipairs(remains) do fields[name] = answer[name] end
+    return fields
+  end
+end
+
 function laws.try_reduction(values, bad)
   if type(values.reduction) ~= "function" then return end
   for _, way in ipairs { { 0, 0 }, { 1e-3, 0 }, { 0, 1e-3 } } do
     local given = ("at slip = %g, opening = %g, normal = 0"):format(way[1], way[2])
-    local first, second = trial.twice(values.reduction, "reduction", given, bad, strength(values), way[1], way[2], 0)
+    local first, second = trial.twice(read(values.reduction), "reduction", given, bad, strength(values), way[1], way[2], 0)
     if type(first) ~= "table" then
       bad("reduction", "a table { friction, cohesion, tension } " .. given, native.describe(first))
     end
     for name in pairs(first) do
-      if not remains[name] then
+      if not known[name] then
         bad("reduction", "friction, cohesion and tension in the table " .. given, native.describe(name))
       end
     end
-    for _, name in ipairs { "friction", "cohesion", "tension" } do
-      local left, own = first[name], strength(values)[name]
-      if left ~= nil and not (finite(left) and left >= 0) then
-        bad("reduction", ("a %s >= 0 %s"):format(name, given), native.describe(left))
-      elseif left and name ~= "friction" and left > own*(1 + 1e-12) then
-        bad("reduction", ("a %s of at most the joint's own, %g (Pa) %s"):format(name, own, given), ("%g"):format(left))
-      end
-      if type(second) ~= "table" or second[name] ~= left then
+    for _, name in ipairs(remains) do
+      try_left(name, first[name], strength(values)[name], given, bad)
+      if type(second) ~= "table" or second[name] ~= first[name] then
         bad("reduction", "the same answer to the same question " .. given, "another the second time")
       end
     end
@@ -131,22 +164,15 @@ function laws.flatten(joint, flat)
   if scatter then flat.weibull, flat.seed = of(scatter, "modulus"), of(scatter, "seed") end
 end
 
--- Strengths of a joint from Hoek and Brown's criterion (Hoek, Carranza-Torres & Corkum 2002): fields for talus.joint.
--- ucs: uniaxial strength of the intact rock, Pa; mi; gsi 0–100; disturbance 0–1; confinement: largest, Pa.
+-- Strengths of a joint from Hoek and Brown's criterion (Hoek, Carranza-Torres & Corkum 2002, equations 2 to 5, 7, 12 and 13).
 function laws.hoek_brown(fields)
-  local places = require "talus.places"
-  local given = type(fields) == "table" and fields or {}
-  for _, name in ipairs { "ucs", "mi" } do
-    if not (finite(given[name]) and given[name] > 0) then
-      places.fail(places.here(), ("talus.laws.hoek_brown.%s: expected a number > 0, got %s"):format(name,
-        native.describe(given[name])))
-    end
-  end
-  local ucs, mi, gsi, d = given.ucs, given.mi, given.gsi or 100, given.disturbance or 0
+  object = object or require "talus.object"
+  local given = object.new("hoek_brown", fields)
+  local ucs, mi, gsi, d = of(given, "ucs"), of(given, "mi"), of(given, "gsi"), of(given, "disturbance")
   local mb = mi*math.exp((gsi - 100)/(28 - 14*d))
   local s = math.exp((gsi - 100)/(9 - 3*d))
   local a = 1/2 + (math.exp(-gsi/15) - math.exp(-20/3))/6
-  local n = (given.confinement or ucs/4)/ucs
+  local n = (of(given, "confinement") or ucs/4)/ucs
   local k = (s + mb*n)^(a - 1)
   local sine = 6*a*mb*k/(2*(1 + a)*(2 + a) + 6*a*mb*k)
   local cohesion = ucs*((1 + 2*a)*s + (1 - a)*mb*n)*k

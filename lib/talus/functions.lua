@@ -35,7 +35,7 @@ return {
     { "sim.highest", "in motion: {block, rise, time}, the highest that the centroid of any block has risen above its place at the start"
         .. " (m, s); nil where none has" },
     { "sim:explain(joint)", "in plain words, why a bond has failed or has not: tractions, strengths, how far they are used, which governs,"
-        .. " when, and what is left; the joint or its number" },
+        .. " when, and what is left; a joint of this simulation or its number" },
     { "sim.reactions.name", "{x, y} (N per metre) of the fixities of that name on what they hold" },
     { "sim.collapsed", "whether a static run has ended at a load that nothing holds" },
     { "sim.charges[1], sim.charges.name", "the chamber that holds the charge's gas: {name, state (\"waiting\", \"pressing\", \"vented\"),"

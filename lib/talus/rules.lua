@@ -62,9 +62,12 @@ function rules.joint(values, bad)
 end
 
 function rules.calibrate(values, bad)
-  local confined = values.confined
-  if confined and require("talus.object").given(confined, "strength") <= values.ucs then
-    bad("confined.strength", ("more than ucs = %g (Pa)"):format(values.ucs), "no more")
+  if not values.confined then return end
+  local given = require("talus.object").given
+  local strength, pressure = given(values.confined, "strength"), given(values.confined, "pressure")
+  if strength <= values.ucs then bad("confined.strength", ("more than ucs = %g (Pa)"):format(values.ucs), "no more") end
+  if strength <= pressure then
+    bad("confined.strength", ("more than the pressure at the sides, %g (Pa)"):format(pressure), ("%g"):format(strength))
   end
 end
 

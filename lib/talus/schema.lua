@@ -1,6 +1,7 @@
 -- The one description of what a scene may say: it drives checks, defaults and the reference page.
 --
--- kind      name of the object; `call` is how the script makes it ("" where a plain table is written)
+-- kind      name of the object; `call` is how the script makes it ("" where a plain table is written); returns: what the call gives,
+--           where that is no such object
 -- field     name, type (types.lua), required or default, range (above, least, below, most), unit, doc, source
 --           live: may change while a simulation runs; positional: the list part of the table
 --           default_doc: what happens without the field, where that is no plain value

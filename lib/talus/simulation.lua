@@ -36,14 +36,7 @@ for _, word in ipairs { "material", "joint", "region", "fix", "load" } do
 end
 
 -- sim:explain(12), sim:explain(sim.joints[12]): why the bond has failed, or why not
-function methods.explain(sim, joint)
-  local id = type(joint) == "userdata" and joint.id or joint
-  if math.type(id) ~= "integer" or id < 1 or id > #sim.joints then
-    places.fail(places.here(), ("sim:explain: expected a joint or its number, from 1 to %d, got %s"):format(#sim.joints,
-      native.describe(joint)))
-  end
-  return native.explain(sim, id)
-end
+methods.explain = native.explain
 
 -- for status in sim:steps() do … end
 function methods.steps(sim)

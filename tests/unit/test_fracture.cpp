@@ -59,6 +59,32 @@ void pull(Model& model, int joint, double normal) {
   for (JointPoint& point : model.joints[joint].points) point.normal = normal;
 }
 
+TEST(Criterion, OfTheScriptIsAskedOnceForAllBondsAndKnowsWhereTheyLie) {
+  Model model = row(4);
+  int asked = 0;
+  model.scene.properties[0].criterion = [&](std::span<JudgedBond> bonds, const BondPlaces& places) {
+    ++asked;
+    for (JudgedBond& bond : bonds) bond.used = places(bond.joint).middle.x() / 100;
+  };
+  Fracture fracture(model);
+  EXPECT_DOUBLE_EQ(fracture.judge(), 0.0375);  // the last square's bonds from its right corners to its middle
+  EXPECT_EQ(asked, 1);
+  const Joint& first = model.joints[0];
+  EXPECT_DOUBLE_EQ(utilisation(model, first), first.utilisation);
+  EXPECT_EQ(asked, 2);
+}
+
+TEST(Criterion, OfTheScriptLeavesTheModeToTheTraction) {
+  Model model = row(1);
+  const Joint& joint = model.joints[0];
+  EXPECT_EQ(failure_mode(model, joint, {1, 90}), FailureMode::tension);  // of 1 Pa in tension, 100 Pa of cohesion
+  model.scene.properties[0].criterion = [](std::span<JudgedBond>, const BondPlaces&) {};
+  EXPECT_EQ(failure_mode(model, joint, {1, 90}), FailureMode::shear);
+  EXPECT_EQ(failure_mode(model, joint, {2, -2}), FailureMode::tension);
+  EXPECT_EQ(failure_mode(model, joint, {-2, 0}), FailureMode::shear);
+  EXPECT_EQ(failure_mode(model, joint, {0, 0}), FailureMode::shear);
+}
+
 std::vector<int> chosen(Model& model, bool motion = false) {
   Fracture fracture(model);
   fracture.judge();

@@ -42,11 +42,12 @@ return {
     },
   },
   {
-    kind = "calibrate", call = "talus.calibrate",
+    kind = "calibrate", call = "talus.calibrate", returns = "table",
     doc = "Joint values that give wanted strengths on a mesh of a given size, by repeated small tests (`talus.lab`): cohesion from the"
       .. " uniaxial strength, tension from the Brazilian one, friction from a confined strength where one is given. Returns `joint`"
       .. " (`{ friction, cohesion, tension }`, fields for talus.joint), `reached` (`{ young, ucs, tensile, confined }`, Pa, as measured"
-      .. " with these values), `off` (largest part by which a strength misses), `converged` and `rounds`. Young's modulus needs no"
+      .. " with these values), `off` (largest part by which a strength misses), `rounds`, `converged` and where that is false `reason`: also a test that"
+      .. " finds no strength or stops ends it so. Young's modulus needs no"
       .. " joint values: bonds add no compliance. What it cannot reach: a Brazilian strength above about a tenth of the uniaxial"
       .. " one, as flats of 7.2° are crushed before the disc splits (`converged` is false then, `reached` says what came of it). Brittle strengths"
       .. " scatter by some per cent from mesh to mesh (`meshes`).",
@@ -72,7 +73,7 @@ return {
     kind = "confined", call = "", doc = "A strength under pressure at the sides.",
     fields = {
       { name = "pressure", type = "number", above = 0, unit = "Pa", required = true, doc = "at the sides" },
-      { name = "strength", type = "number", above = 0, unit = "Pa", required = true, doc = "the axial stress it bears; above ucs" },
+      { name = "strength", type = "number", above = 0, unit = "Pa", required = true, doc = "the axial stress it bears; above ucs and above the pressure" },
     },
   },
 }

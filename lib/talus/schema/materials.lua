@@ -40,8 +40,12 @@ return {
       { name = "criterion", type = "function",
         default_doc = "maximum tension and Mohr–Coulomb on the mean traction of the edge",
         doc = "`function(t)` that returns how far a bond's strength is used; it fails at 1. `t` has the tractions `normal`"
-          .. " (tension positive) and `shear`, and the strengths `tension`, `cohesion` (Pa), `friction` (rad). Best in"
-          .. " proportion to the traction: static load increments are found by it", source = "Ning et al. 2011, eq. 1–2" },
+          .. " (tension positive) and `shear`, and the strengths `tension`, `cohesion` (Pa), `friction` (rad); where it asks for them,"
+          .. " also the bond's `id` (as in `sim.joints`), `length` (m, at the start), `x`, `y` (m, of its middle now), `dip` (rad, of"
+          .. " its edge against +x, above −π/2 to π/2) and `property` (name of its talus.joint); tried with a bond of length 1 at (0, 0)."
+          .. " It leaves the strengths in `t` as they are. The answer is finite and >= 0, best in proportion to the traction: static load"
+          .. " increments are found by it. Whether the bond fails in tension or in shear is not the criterion's to say: tension, where it"
+          .. " pulls at least as hard as it shears", source = "Ning et al. 2011, eq. 1–2" },
       { name = "scatter", type = "object", kinds = { "weibull" }, doc = "of the strength from bond to bond" },
       { name = "bond", type = "enum", values = { "exact", "spring" }, default = "exact",
         doc = "how intact bonds are held: `exact` (consistent flux plus penalty, no joint compliance) or `spring` "
@@ -100,6 +104,20 @@ return {
       { name = "jcs", type = "number", above = 0, unit = "Pa", required = true, doc = "joint wall compressive strength" },
       { name = "friction", type = "number", least = 0, below = math.pi/2, unit = "rad", default_doc = "that of the joint",
         doc = "residual friction angle φ_r" },
+    },
+  },
+  {
+    kind = "hoek_brown", call = "talus.laws.hoek_brown", returns = "table<string, number>",
+    doc = "Strengths of a joint after Hoek and Brown's criterion: returns `{ friction, cohesion, tension }`, fields for talus.joint."
+      .. " Friction and cohesion are those of the straight line that fits σ1 over σ3 best (least squares) from the tensile strength to"
+      .. " `confinement`; tension is where the curve ends.",
+    fields = {
+      { name = "ucs", type = "number", above = 0, unit = "Pa", required = true, doc = "uniaxial compressive strength of the intact rock",
+        source = "Hoek, Carranza-Torres & Corkum 2002" },
+      { name = "mi", type = "number", above = 0, required = true, doc = "constant of the intact rock, about 4 to 33" },
+      { name = "gsi", type = "number", least = 0, most = 100, default = 100, doc = "geological strength index; 100: intact rock" },
+      { name = "disturbance", type = "number", least = 0, most = 1, default = 0, doc = "D, by blasting and relaxation" },
+      { name = "confinement", type = "number", above = 0, unit = "Pa", default_doc = "ucs/4", doc = "the largest σ3 that the line is for" },
     },
   },
   {
