@@ -1,6 +1,6 @@
 -- The scenes of tests/unused/run: each has some parts of the engine and is counted for what it spends in the others.
 local talus = require "talus"
-local kind = talus.param("kind", "elastic", "elastic, waves, rigid, flight, deformable, crack or blast")
+local kind = talus.param("kind", "elastic", "elastic, waves, rigid, flight, deformable, crack, law or blast")
 local rock = talus.material { density = 2500, young = 10e9, poisson = 0.25 }
 local scenes = {}
 
@@ -33,6 +33,20 @@ local function breakable(scene, tension)
   return scene
 end
 function scenes.crack() return breakable(scenes.waves(), 2e4) end
+-- The same with the built-in laws written in Lua.
+function scenes.law()
+  local scene = scenes.crack()
+  local tan = math.tan
+  scene.regions[1].joint = talus.joint { friction = 0.6, cohesion = 6e4, tension = 2e4,
+    criterion = function(t)
+      local normal, shear = t.normal, t.shear
+      local pulled = normal > 0 and normal/t.tension or 0
+      local sheared = ((shear < 0 and -shear or shear) + normal*tan(t.friction))/t.cohesion
+      return sheared > pulled and sheared or pulled
+    end,
+    reduction = function(intact) return { friction = intact.friction, cohesion = intact.cohesion < 5e4 and intact.cohesion or 5e4 } end }
+  return scene
+end
 function scenes.blast()
   return { regions = { talus.region { name = "rock", outline = talus.rect(-2, -2, 2, 2), material = rock, mesh = { size = 0.4 },
                                       holes = { talus.circle { at = {0, 0}, radius = 0.2, sides = 12, name = "hole" } },
