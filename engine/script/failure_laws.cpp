@@ -197,8 +197,7 @@ ReductionLaw reduction_of(const LuaFunction& law, const JointProperty& property)
   lua_newtable(law.state());
   const LuaFunction arguments(law.state(), -1);  // one table for all calls
   lua_pop(law.state(), 1);
-  return [law, arguments, place = property.place, scattered = property.weibull > 0](const Strength& intact,
-                                                                                                     const JointWear& wear) {
+  return [law, arguments, place = property.place, scattered = property.weibull > 0](const Strength& intact, const JointWear& wear) {
     lua_State* L = law.state();
     const auto given = [&] {
       return arguments_text(std::array{"slip", "opening", "normal"}, std::array{wear.slip, wear.opening, wear.normal});

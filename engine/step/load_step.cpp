@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "equations/bridge_law.h"
-#include "step/energies.h"
+#include "step/closure.h"
 #include "step/restored.h"
 #include "step/step.h"
 
@@ -20,84 +19,6 @@ constexpr int most_vain_solves = 3000;    // of all those of a load step that fo
 constexpr int careful_cuts = 4;           // as interpolated; those that follow halve an increment at least
 // In a row, that neither come to the load asked for nor break a bond.
 constexpr int most_short_increments = 60;
-
-// What the rock gives off on its way from one equilibrium to another that it jumps to, as bonds fail or soften past what they
-// bear. Bodies are elastic, so they give off ∫ t · dg = ½ (t0 + t1) · (g1 - g0) over all jumps g that tractions t act across (the
-// crack closure integral of Irwin 1957, read backwards); contacts and bridges store some of it, friction takes some. Of bonds
-// that fail, t0 is that of the bond, and the change of {σ}n works along the jump it had.
-class Closure {
- public:
-  Closure(const Model& model, const JointTerms& bonds, const std::vector<int>& joints)
-      : bonds_(bonds), joints_(joints), vertex_(model.vertex), stored_(contact_energy(model)) {
-    std::vector<char> fails(model.joints.size(), 0);
-    for (const int j : joints) {
-      fails[size_t(j)] = 1;
-      before_.push_back({model.joints[j].points, fluxes(model, j)});
-    }
-    for (const Contact& c : model.contacts)
-      if (pushes(c) && (c.joint < 0 || !fails[size_t(c.joint)])) pushed_.push_back({c, push(model, c)});
-  }
-  // friction: J/m, that contacts took on the way.
-  double work(const Model& model, double friction) const {
-    double sum = stored_ - contact_energy(model) - friction;
-    for (size_t k = 0; k < joints_.size(); ++k) sum += of_bond(model, k);
-    for (const auto& [c, force] : pushed_) sum -= force.dot(moved(model, c)) / 2;
-    for (const Contact& c : model.contacts)
-      if (pushes(c)) sum -= push(model, c).dot(moved(model, c)) / 2;
-    return sum;
-  }
-
- private:
-  struct Before {
-    JointPoints points;
-    std::vector<BondTraction> flux;  // at the points
-  };
-  struct Pushed {
-    Contact contact;
-    Vec2 force;  // N/m
-  };
-  static bool pushes(const Contact& c) { return c.normal_force != 0 || c.shear_force != 0; }
-  static int other_end(const Model& model, const Contact& c) {
-    return model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge);
-  }
-  // On the corner.
-  static Vec2 push(const Model& model, const Contact& c) {
-    const Vec2 along = (model.vertex[other_end(model, c)] - model.vertex[c.global_edge]).normalized();
-    return -c.normal_force * perp(along) - c.shear_force * along;
-  }
-  // A corner from the point of the edge that it lay beside, m.
-  Vec2 moved(const Model& model, const Contact& c) const {
-    const int end = other_end(model, c);
-    const Vec2 edge = vertex_[end] - vertex_[c.global_edge];
-    const double at = (vertex_[c.global_vertex] - vertex_[c.global_edge]).dot(edge) / edge.squaredNorm();
-    const auto way = [&](int v) -> Vec2 { return model.vertex[v] - vertex_[v]; };
-    return way(c.global_vertex) - (1 - at) * way(c.global_edge) - at * way(end);
-  }
-  double of_bond(const Model& model, size_t k) const {
-    const Joint& joint = model.joints[joints_[k]];
-    const std::vector<BondTraction> flux = fluxes(model, joints_[k]);
-    double sum = 0;
-    for (size_t p = 0; p < joint.points.size(); ++p) {
-      const JointPoint &now = joint.points[p], &then = before_[k].points[p];
-      const BondTraction bridged = from_path(joint, {then.across.traction, then.along.traction});
-      sum += now.weight / 2 *
-             ((then.normal - bridged.normal) * (now.opening - then.opening) + (then.shear - bridged.shear) * (now.slip - then.slip) +
-              (flux[p].normal - before_[k].flux[p].normal) * then.opening + (flux[p].shear - before_[k].flux[p].shear) * then.slip);
-    }
-    return sum;
-  }
-  std::vector<BondTraction> fluxes(const Model& model, int joint) const {
-    std::vector<BondTraction> flux;
-    for (const JointPoint& point : model.joints[joint].points) flux.push_back(bonds_.flux(model, joint, point.at));
-    return flux;
-  }
-  const JointTerms& bonds_;
-  const std::vector<int> joints_;
-  std::vector<Vec2> vertex_;
-  double stored_;  // J/m, by contacts
-  std::vector<Before> before_;
-  std::vector<Pushed> pushed_;
-};
 
 }  // namespace
 

@@ -1,0 +1,71 @@
+#include "step/closure.h"
+
+#include "equations/bridge_law.h"
+#include "step/energies.h"
+
+namespace talus {
+
+namespace {
+
+bool pushes(const Contact& c) { return c.normal_force != 0 || c.shear_force != 0; }
+
+int edge_end(const Model& model, const Contact& c) { return model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge); }
+
+// N/m, on the corner.
+Vec2 push(const Model& model, const Contact& c) {
+  const Vec2 along = (model.vertex[edge_end(model, c)] - model.vertex[c.global_edge]).normalized();
+  return -c.normal_force * perp(along) - c.shear_force * along;
+}
+
+}  // namespace
+
+Closure::Closure(const Model& model, const JointTerms& bonds, const std::vector<int>& joints)
+    : bonds_(bonds), vertex_(model.vertex), stored_(contact_energy(model)) {
+  std::vector<char> fails(model.joints.size(), 0);
+  for (const int j : joints) {
+    fails[size_t(j)] = 1;
+    before_.push_back({j, model.joints[j].points, fluxes(model, j)});
+  }
+  for (const Contact& c : model.contacts)
+    if (pushes(c) && (c.joint < 0 || !fails[size_t(c.joint)])) pushed_.push_back({c, push(model, c)});
+}
+
+double Closure::work(const Model& model, double friction) const {
+  double sum = stored_ - contact_energy(model) - friction;
+  for (const Before& before : before_) sum += of_bond(model, before);
+  for (const auto& [c, force] : pushed_) sum -= force.dot(moved(model, c)) / 2;
+  for (const Contact& c : model.contacts)
+    if (pushes(c)) sum -= push(model, c).dot(moved(model, c)) / 2;
+  return sum;
+}
+
+// A corner from the point of the edge that it lay beside, m.
+Vec2 Closure::moved(const Model& model, const Contact& c) const {
+  const int end = edge_end(model, c);
+  const Vec2 edge = vertex_[end] - vertex_[c.global_edge];
+  const double at = (vertex_[c.global_vertex] - vertex_[c.global_edge]).dot(edge) / edge.squaredNorm();
+  const auto way = [&](int v) -> Vec2 { return model.vertex[v] - vertex_[v]; };
+  return way(c.global_vertex) - (1 - at) * way(c.global_edge) - at * way(end);
+}
+
+double Closure::of_bond(const Model& model, const Before& before) const {
+  const Joint& joint = model.joints[before.joint];
+  const std::vector<BondTraction> flux = fluxes(model, before.joint);
+  double sum = 0;
+  for (size_t p = 0; p < joint.points.size(); ++p) {
+    const JointPoint &now = joint.points[p], &then = before.points[p];
+    const BondTraction bridged = from_path(joint, {then.across.traction, then.along.traction});  // its work is the bridge's to book
+    sum += now.weight / 2 *
+           ((then.normal - bridged.normal) * (now.opening - then.opening) + (then.shear - bridged.shear) * (now.slip - then.slip) +
+            (flux[p].normal - before.flux[p].normal) * then.opening + (flux[p].shear - before.flux[p].shear) * then.slip);
+  }
+  return sum;
+}
+
+std::vector<BondTraction> Closure::fluxes(const Model& model, int joint) const {
+  std::vector<BondTraction> flux;
+  for (const JointPoint& point : model.joints[joint].points) flux.push_back(bonds_.flux(model, joint, point.at));
+  return flux;
+}
+
+}  // namespace talus
