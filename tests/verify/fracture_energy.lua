@@ -60,6 +60,7 @@ pushed("pair pushed under 1 MPa, brittle", nil, 1*u.MPa, 1, 1e-3)
 pushed("pair pushed under 5 MPa, brittle", nil, 5*u.MPa, 1, 1e-3)
 pushed("pair pushed under 0.1 MPa, softening", soft, 0.1*u.MPa, 1, 1e-3)
 pushed("pair pushed under 1 MPa, softening", soft, 1*u.MPa, 1, 1e-3)
+pushed("rigid pair pushed under 5 MPa, brittle", nil, 5*u.MPa, "rigid", 0.01)
 pushed("rigid pair pushed, nothing on it", nil, 0, "rigid", 1e-6)
 
 -- Bonds without cohesion let go at once; what is left is rubble that is pulled apart.
