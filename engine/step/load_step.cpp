@@ -12,12 +12,12 @@ namespace talus {
 namespace {
 
 constexpr double least_increment = 1e-6;  // part of t_end
-// Bounds of a load step, so that it ends whatever its contacts and bonds do. What stands is found in some hundreds of
-// solves, also where bonds soften near their limit.
 // Contacts that open or begin to slide bend the curve of loads over displacements, whose trapezoids are booked: an increment that is off by
 // this part of the work put in by it is taken in quarters, down to this part of a load step. What is given off in the shortest is a jump.
 constexpr double most_bend = 0.01;
 constexpr double finest_increment = 1.0 / 256;
+// Bounds of a load step, so that it ends whatever its contacts and bonds do. What stands is found in some hundreds of
+// solves, also where bonds soften near their limit.
 constexpr int most_search_solves = 1000;  // of one look for equilibrium
 constexpr int most_vain_solves = 3000;    // of all those of a load step that found none
 constexpr int careful_cuts = 4;           // as interpolated; those that follow halve an increment at least
