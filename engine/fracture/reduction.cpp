@@ -46,9 +46,18 @@ ReductionLaw barton_bandis(double jrc, double jcs, double residual_friction) {
   };
 }
 
+namespace {
+
+double compliance(const Softening& law, double energy, double lost) { return (law.exponential ? 1 : 2) * energy / (lost * lost); }
+
+}  // namespace
+
 double softening_compliance(const Softening& law, double tension) {
-  const double lost = tension - law.residual.tension;
-  return (law.exponential ? 1 : 2) * law.energy_opening / (lost * lost);
+  return compliance(law, law.energy_opening, tension - law.residual.tension);
+}
+
+double shear_compliance(const Softening& law, double cohesion) {
+  return compliance(law, law.energy_slip, cohesion - law.residual.cohesion);
 }
 
 }  // namespace talus

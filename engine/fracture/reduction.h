@@ -25,5 +25,7 @@ ReductionLaw barton_bandis(double jrc, double jcs, double residual_friction);
 // the residual. Times Young's modulus it is the largest block that can soften before the energy stored in it passes what the
 // crack takes (Bažant & Oh 1983); infinite where no tension is lost.
 double softening_compliance(const Softening& law, double tension);
+// The same of slip and cohesion, with G_II.
+double shear_compliance(const Softening& law, double cohesion);
 
 }  // namespace talus

@@ -10,15 +10,45 @@ namespace talus {
 
 namespace {
 
-struct Blocks {
-  int bonds = 0, too_large = 0;
-  double smallest = 0, largest_allowed = 0;  // m, √area; E · softening_compliance of the stiffest rock and strongest bond
-};
-
 std::string metres(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3g m", value);
   return text.data();
+}
+
+struct Blocks {
+  int bonds = 0, too_large = 0;
+  double smallest = 0, largest_allowed = 0;  // m, √area; modulus · compliance of the stiffest rock and strongest bond
+
+  void add(double size, double allowed) {
+    smallest = bonds == 0 ? size : std::min(smallest, size);
+    largest_allowed = bonds == 0 ? allowed : std::min(largest_allowed, allowed);
+    too_large += size > allowed;
+    ++bonds;
+  }
+  std::string told(const std::string& name) const {
+    return std::to_string(too_large) + " of the " + std::to_string(bonds) + " bonds of " + name + " are between blocks above " +
+           metres(largest_allowed) + " (root of the area): where they soften ";
+  }
+};
+
+// Of shear no size is refused: most bonds that fail in it are pressed, and friction follows.
+std::string in_shear(const Model& model) {
+  std::vector<Blocks> blocks(model.scene.properties.size());
+  for (const Joint& joint : model.joints) {
+    const JointProperty& property = model.scene.properties[joint.property];
+    const double lost = model.strength(joint).cohesion - property.residual.cohesion;
+    if (!joint.bonded || property.shear_compliance == 0 || lost <= 0) continue;
+    const auto shear_modulus = [&](int block) { return model.material(block).young / (2 * (1 + model.material(block).poisson)); };
+    const double allowed = property.shear_compliance * std::pow((property.cohesion - property.residual.cohesion) / lost, 2) *
+                           std::max(shear_modulus(joint.a), shear_modulus(joint.b));
+    blocks[joint.property].add((model.shapes[joint.a].length + model.shapes[joint.b].length) / 2, allowed);
+  }
+  std::string note;
+  for (std::size_t p = 0; p < blocks.size(); ++p)
+    if (blocks[p].too_large > 0)
+      note += (note.empty() ? "" : "; ") + blocks[p].told(model.scene.properties[p].name) + "in shear they snap back in one step";
+  return note;
 }
 
 }  // namespace
@@ -32,11 +62,7 @@ std::string check_snap_back(const Model& model) {
     const double compliance = property.softening_compliance * std::pow((property.tension - property.residual.tension) / lost, 2);
     const double size = (model.shapes[joint.a].length + model.shapes[joint.b].length) / 2;
     const double allowed = compliance * std::max(model.material(joint.a).young, model.material(joint.b).young);
-    Blocks& of = blocks[joint.property];
-    of.smallest = of.bonds == 0 ? size : std::min(of.smallest, size);
-    of.largest_allowed = of.bonds == 0 ? allowed : std::min(of.largest_allowed, allowed);
-    of.too_large += size > allowed;
-    ++of.bonds;
+    blocks[joint.property].add(size, allowed);
   }
   std::string note;
   for (std::size_t p = 0; p < blocks.size(); ++p) {
@@ -50,11 +76,10 @@ std::string check_snap_back(const Model& model) {
                            metres(1.5 * of.largest_allowed) +
                            "), as larger ones give back more energy than G_I takes and snap back in one step",
                        "blocks of " + metres(of.smallest) + " and more");
-    note += (note.empty() ? "" : "; ") + std::to_string(of.too_large) + " of the " + std::to_string(of.bonds) +
-            " bonds of " + property.name + " are between blocks above " + allowed +
-            " (root of the area): where they soften they snap back in one step";
+    note += (note.empty() ? "" : "; ") + of.told(property.name) + "they snap back in one step";
   }
-  return note;
+  const std::string sheared = in_shear(model);
+  return note + (note.empty() || sheared.empty() ? "" : "; ") + sheared;
 }
 
 }  // namespace talus

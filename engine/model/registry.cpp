@@ -206,8 +206,9 @@ void visit_state(Material& material, StateVisitor& v) {
 
 void visit_state(JointProperty& property, StateVisitor& v) {
   [[maybe_unused]] auto& [place, name, friction, cohesion, tension, bond, penalty, stiffness_kind, stiffness,
-                          shear_ratio, breaks, residual, criterion, reduction, softening_compliance, weibull, seed] = property;
-  // criterion, reduction with its compliance: settled by the script; weibull, seed: see Joint::scatter
+                          shear_ratio, breaks, residual, criterion, reduction, softening_compliance, shear_compliance,
+                          weibull, seed] = property;
+  // criterion, reduction with its compliances: settled by the script; weibull, seed: see Joint::scatter
   v("friction", friction);
   v("cohesion", cohesion);
   v("tension", tension);

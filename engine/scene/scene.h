@@ -46,6 +46,7 @@ struct JointProperty {
   FailureCriterion criterion;  // empty: Mohr–Coulomb with tension cut-off
   ReductionLaw reduction;      // empty: at once to `residual`
   double softening_compliance = 0;  // m/Pa, of `reduction` where it softens: opening over tension lost, at its steepest; else 0
+  double shear_compliance = 0;      // m/Pa, likewise slip over cohesion lost, where G_II is given; else 0
   double weibull = 0;          // modulus of the bonds' scattered strength; 0: all alike
   unsigned seed = 1;           // of the scatter
 

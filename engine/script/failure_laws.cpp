@@ -231,7 +231,7 @@ ReductionLaw reduction_of(const LuaFunction& law, const JointProperty& property)
   };
 }
 
-ReductionLaw ready_made(const TableReader& t, const JointProperty& property, double& compliance) {
+ReductionLaw ready_made(const TableReader& t, JointProperty& property) {
   const Strength& residual = property.residual;
   std::string kind, shape;
   double energy_opening = 0, energy_slip = 0, distance = 0, jrc = 0, jcs = 0;
@@ -243,8 +243,9 @@ ReductionLaw ready_made(const TableReader& t, const JointProperty& property, dou
   t.read("jrc", jrc);
   t.read("jcs", jcs);
   if (kind == "softening") {
-    const Softening law = {shape == "exponential", energy_opening, energy_slip, residual};
-    compliance = softening_compliance(law, property.tension);
+    const Softening law = {shape == "exponential", energy_opening, energy_slip > 0 ? energy_slip : energy_opening, residual};
+    property.softening_compliance = softening_compliance(law, property.tension);
+    if (energy_slip > 0) property.shear_compliance = shear_compliance(law, property.cohesion);
     return softening(law);
   }
   if (kind == "slip_weakening") return slip_weakening(distance, residual);
@@ -264,7 +265,7 @@ void read_failure_laws(const TableReader& t, JointProperty& property) {
     property.reduction = reduction_of(LuaFunction(L, -1), property);
     lua_pop(L, 1);
   }
-  t.with("law", [&](const TableReader& law) { property.reduction = ready_made(law, property, property.softening_compliance); });
+  t.with("law", [&](const TableReader& law) { property.reduction = ready_made(law, property); });
 }
 
 }  // namespace talus

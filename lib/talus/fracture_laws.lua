@@ -157,7 +157,6 @@ function laws.flatten(joint, flat)
       local known, value = pcall(of, law, name)
       if known then flat.law[name] = value end
     end
-    flat.law.G_II = flat.law.G_II or flat.law.G_I
     if flat.law.kind == "barton_bandis" then flat.residual_friction = given(law, "friction") or intact.friction end
   end
   local scatter = given(joint, "scatter")
