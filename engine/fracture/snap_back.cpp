@@ -32,18 +32,25 @@ struct Blocks {
   }
 };
 
-// Of shear no size is refused: most bonds that fail in it are pressed, and friction follows.
-std::string in_shear(const Model& model) {
+// In one direction: its strength, the compliance of laws there, and the rock's modulus.
+std::vector<Blocks> blocks_of(const Model& model, double Strength::*strength, double JointProperty::*compliance, double (*modulus)(const Material&)) {
   std::vector<Blocks> blocks(model.scene.properties.size());
   for (const Joint& joint : model.joints) {
     const JointProperty& property = model.scene.properties[joint.property];
-    const double lost = model.strength(joint).cohesion - property.residual.cohesion;
-    if (!joint.bonded || property.shear_compliance == 0 || lost <= 0) continue;
-    const auto shear_modulus = [&](int block) { return model.material(block).young / (2 * (1 + model.material(block).poisson)); };
-    const double allowed = property.shear_compliance * std::pow((property.cohesion - property.residual.cohesion) / lost, 2) *
-                           std::max(shear_modulus(joint.a), shear_modulus(joint.b));
-    blocks[joint.property].add((model.shapes[joint.a].length + model.shapes[joint.b].length) / 2, allowed);
+    const double residual = property.residual.*strength, lost = model.strength(joint).*strength - residual;
+    if (!joint.bonded || property.*compliance == 0 || lost <= 0) continue;
+    const double size = (model.shapes[joint.a].length + model.shapes[joint.b].length) / 2;
+    const double allowed = property.*compliance * std::pow((property.strength().*strength - residual) / lost, 2) *
+                           std::max(modulus(model.material(joint.a)), modulus(model.material(joint.b)));
+    blocks[joint.property].add(size, allowed);
   }
+  return blocks;
+}
+
+// Of shear no size is refused: most bonds that fail in it are pressed, and friction follows.
+std::string in_shear(const Model& model) {
+  const auto modulus = [](const Material& rock) { return rock.young / (2 * (1 + rock.poisson)); };
+  const std::vector<Blocks> blocks = blocks_of(model, &Strength::cohesion, &JointProperty::shear_compliance, modulus);
   std::string note;
   for (std::size_t p = 0; p < blocks.size(); ++p)
     if (blocks[p].too_large > 0)
@@ -54,16 +61,8 @@ std::string in_shear(const Model& model) {
 }  // namespace
 
 std::string check_snap_back(const Model& model) {
-  std::vector<Blocks> blocks(model.scene.properties.size());
-  for (const Joint& joint : model.joints) {
-    const JointProperty& property = model.scene.properties[joint.property];
-    const double lost = model.strength(joint).tension - property.residual.tension;
-    if (!joint.bonded || property.softening_compliance == 0 || lost <= 0) continue;
-    const double compliance = property.softening_compliance * std::pow((property.tension - property.residual.tension) / lost, 2);
-    const double size = (model.shapes[joint.a].length + model.shapes[joint.b].length) / 2;
-    const double allowed = compliance * std::max(model.material(joint.a).young, model.material(joint.b).young);
-    blocks[joint.property].add(size, allowed);
-  }
+  const auto modulus = [](const Material& rock) { return rock.young; };
+  const std::vector<Blocks> blocks = blocks_of(model, &Strength::tension, &JointProperty::softening_compliance, modulus);
   std::string note;
   for (std::size_t p = 0; p < blocks.size(); ++p) {
     const Blocks& of = blocks[p];

@@ -67,13 +67,13 @@ StepReport Stepper::raise_load(double to, bool first) {
   double until = foreseen(from, to, before);
   const double pace = std::max(pace_, from > 0 ? before / from : 0);
   const double whole = model_.scene.time.t_end / model_.scene.time.steps;
+  const Closure closure(model_, joints_, {});
   int vain = 0;  // solves
   for (int cuts = 0;; ++cuts) {
     Restored attempt(model_);
     model_.time = until;
     const LoadStepBooking booking(model_, supports_, from, first);
     const BridgeBooking bridges(model_);
-    const Closure closure(model_, joints_, {});
     Equilibrium search;
     search.most_solves = most_search_solves;
     search.may_jump = before + pace * (until - from) <= 1 + overshoot || until <= soonest;
