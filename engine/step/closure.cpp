@@ -9,14 +9,6 @@ namespace {
 
 bool pushes(const Contact& c) { return c.normal_force != 0 || c.shear_force != 0; }
 
-int edge_end(const Model& model, const Contact& c) { return model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge); }
-
-// N/m, on the corner.
-Vec2 push(const Model& model, const Contact& c) {
-  const Vec2 along = (model.vertex[edge_end(model, c)] - model.vertex[c.global_edge]).normalized();
-  return -c.normal_force * perp(along) - c.shear_force * along;
-}
-
 }  // namespace
 
 Closure::Closure(const Model& model, const JointTerms& bonds, const std::vector<int>& joints)
@@ -27,7 +19,7 @@ Closure::Closure(const Model& model, const JointTerms& bonds, const std::vector<
     before_.push_back({j, model.joints[j].points, fluxes(model, j)});
   }
   for (const Contact& c : model.contacts)
-    if (pushes(c) && (c.joint < 0 || !fails[size_t(c.joint)])) pushed_.push_back({c, push(model, c)});
+    if (pushes(c) && (c.joint < 0 || !fails[size_t(c.joint)])) pushed_.push_back({c, contact_push(model, c)});
 }
 
 double Closure::work(const Model& model, double friction) const {
@@ -35,13 +27,13 @@ double Closure::work(const Model& model, double friction) const {
   for (const Before& before : before_) sum += of_bond(model, before);
   for (const auto& [c, force] : pushed_) sum -= force.dot(moved(model, c)) / 2;
   for (const Contact& c : model.contacts)
-    if (pushes(c)) sum -= push(model, c).dot(moved(model, c)) / 2;
+    if (pushes(c)) sum -= contact_push(model, c).dot(moved(model, c)) / 2;
   return sum;
 }
 
 // A corner from the point of the edge that it lay beside, m.
 Vec2 Closure::moved(const Model& model, const Contact& c) const {
-  const int end = edge_end(model, c);
+  const int end = model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge);
   const Vec2 edge = vertex_[end] - vertex_[c.global_edge];
   const double at = (vertex_[c.global_vertex] - vertex_[c.global_edge]).dot(edge) / edge.squaredNorm();
   const auto way = [&](int v) -> Vec2 { return model.vertex[v] - vertex_[v]; };

@@ -58,6 +58,12 @@ double strain_energy(const Model& model, const JointTerms& joints, const Support
   return sum + (model.joints.empty() ? 0 : joints.energy(model, ahead)) + supports.energy(model, ahead);
 }
 
+Vec2 contact_push(const Model& model, const Contact& c) {
+  const int next = model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge);
+  const Vec2 along = (model.vertex[next] - model.vertex[c.global_edge]).normalized();
+  return -c.normal_force * perp(along) - c.shear_force * along;
+}
+
 double contact_energy(const Contact& c) {
   return c.normal_force * c.normal_force / (2 * c.normal_stiffness) +
          c.shear_force * c.shear_force / (2 * c.shear_stiffness);

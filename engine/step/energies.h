@@ -15,6 +15,7 @@ double kinetic_energy(const Model& model, int block, double ahead);
 // A (½ ε·Dε + σ0·ε) of the blocks, and the potentials of bonds and supports.
 double strain_energy(const Model& model, const JointTerms& joints, const Supports& supports, double ahead);
 
+Vec2 contact_push(const Model& model, const Contact& contact);  // N/m, on the corner
 double contact_energy(const Contact& contact);  // N²/2kn + T²/2ks
 double contact_energy(const Model& model);
 

@@ -6,6 +6,7 @@
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
 #include "equations/viscous_terms.h"
+#include "step/energies.h"
 
 namespace talus {
 
@@ -211,10 +212,7 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
 std::vector<Vec2> support_reactions(const Model& model, const Supports& supports, double time) {
   std::vector<Vec2> sum = supports.reactions(model, time);
   for (const Contact& c : model.contacts) {
-    const Vec2 from = model.vertex[c.global_edge];
-    const Vec2 along =
-        (model.vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)] - from).normalized();
-    const Vec2 on_i = -c.normal_force * perp(along) - c.shear_force * along;
+    const Vec2 on_i = contact_push(model, c);
     if (model.held_by[c.i] >= 0) sum[model.held_by[c.i]] -= on_i;
     if (model.held_by[c.j] >= 0) sum[model.held_by[c.j]] += on_i;
   }
