@@ -15,6 +15,9 @@ namespace {
 // Equilibrium with contacts is found by steps against a little inertia, which a loose block needs to stay
 // put: this part of (wave speed / size)², far below the slowest mode of what is held.
 constexpr double least_hold = 1e-4;
+// Of what gives way: it then moves in a step no farther than waves take it through the whole scene, so that the crack that takes
+// most energy gets ahead of the others. With less, they grow together, and several stay.
+constexpr double giving_hold = 1;
 constexpr int static_patience = 4;  // steps that bring equilibrium no nearer, of bonds that soften
 constexpr int steps_a_level = 3;  // with one share of the slopes, before a larger one is tried
 constexpr int equilibrium_iterations = 200;
@@ -140,7 +143,6 @@ bool Stepper::balance(Equilibrium& search) {
       return found;
     }
     search.jumped = whole.jumped;
-    if (search.jumped && !search.may_jump) return false;
   }
   return find_equilibrium(false, 0, equilibrium_iterations, search);
 }
@@ -156,6 +158,7 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
   if (plan_.held_blocks) place_held_blocks(model_);
   hold_.assign(model_.shapes.size(), std::max(hold, least));
   for (int i = 0; i < iterations && report.iterations < search.most_solves; ++i) {
+    if (search.jumped && !search.may_jump) return false;
     const Scheme scheme = Scheme::equilibrium();
     if (plan_.contacts) {
       PartTimer timer(totals_, "contact search");
@@ -173,8 +176,9 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
     result = solve(0, d);
     report.iterations += result.iterations;
     if (result.singular_block >= 0 && bridges_.any() && softening.less()) {
+      result.singular_block = -1;
+      for (double& held : hold_) held = std::max(held, giving_hold);
       search.jumped = true;
-      if (!search.may_jump) return false;
       continue;
     }
     if (!result.converged && (!plan_.contacts || result.singular_block >= 0)) return false;
@@ -183,7 +187,6 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
     if (displacement < 0) continue;
     if (bridges_.any()) softening.watch(report.residual);
     search.jumped |= softening.wears;
-    if (search.jumped && !search.may_jump) return false;
     report.displacement = std::max(report.displacement, displacement);
     keep_rest(moved);
     accept(std::move(moved), scheme, d);

@@ -8,6 +8,8 @@
 // (θ-½)Δt. The integrator's own loss is booked by its formula, term by term, never as what is left; what is left
 // is `unexplained`: finite rotations, contacts that hand over, the solver's residual, what a script changed by
 // hand.
+#include <algorithm>
+
 #include "equations/bridge_terms.h"
 #include "equations/contact_terms.h"
 #include "equations/supports.h"
@@ -30,6 +32,8 @@ struct Ledger {
   double start_energy = 0;    // kinetic and stored, at y
   double start_shift = 0;     // strain and gravity energy at y less those at X
   double largest_work = 0;    // largest magnitude of gravity, external and boundary work so far
+
+  double scale() const { return std::max(start_energy, largest_work); }  // that errors are measured by
 };
 void visit_state(Ledger& ledger, StateVisitor& visitor);  // the registry, model/registry.h
 

@@ -15,6 +15,7 @@ constexpr double least_increment = 1e-6;  // part of t_end
 // Contacts that open or begin to slide bend the curve of loads over displacements, whose trapezoids are booked: an increment that is off by
 // this part of the work put in by it is taken in quarters, down to this part of a load step. What is given off in the shortest is a jump.
 constexpr double most_bend = 0.01;
+constexpr double least_bend = 1e-6;  // part of the ledger's scale: what moves along free is not looked at so closely
 constexpr double finest_increment = 1.0 / 256;
 // Bounds of a load step, so that it ends whatever its contacts and bonds do. What stands is found in some hundreds of
 // solves, also where bonds soften near their limit.
@@ -86,7 +87,7 @@ StepReport Stepper::raise_load(double to, bool first) {
       booking.book(model_, supports_, ledger_);
       bridges.book(model_, ledger_);
       const double off = closure.work(model_, ledger_.friction_work - ledger.friction_work);
-      const bool bent = std::abs(off) > most_bend * exchanged(ledger, ledger_);
+      const bool bent = std::abs(off) > std::max(most_bend * exchanged(ledger, ledger_), least_bend * ledger_.scale());
       if (!search.jumped && bent && until - from > finest_increment * whole && until > soonest) {
         ledger_ = ledger;
         until = from + (until - from) / 4;

@@ -453,7 +453,7 @@ Energies Stepper::energies() {
   e.numerical = ledger_.numerical_flow - (shift - ledger_.start_shift);
   e.unexplained = e.total - ledger_.start_energy - e.external - e.gas - e.boundary + e.friction + e.damping + e.viscous +
                   e.fracture + e.numerical;
-  e.scale = std::max(ledger_.start_energy, ledger_.largest_work);
+  e.scale = ledger_.scale();
   return e;
 }
 

@@ -92,6 +92,25 @@ taken("bar pulled, exponential softening", false, "exponential", 400)
 taken("bar sheared, linear softening", true, "linear", 800)
 taken("bar sheared, exponential softening", true, "exponential", 800)
 
+-- Meshed bars whose bonds are all equally strong: all fail together, one crack opens to its end, and the others close again. The
+-- piece that then follows the support free takes no more increments than are asked for.
+for _, mesh in ipairs { { "cross", 8, 2, 0.5 }, { "cross", 8, 4, 1 }, { "cross", 6, 3, 1 }, { "alternating", 12, 4, 1 } } do
+  local kind, nx, ny, height = table.unpack(mesh)
+  for _, energy in ipairs { 100, 400 } do
+    local sim = talus.simulation {
+      regions = { talus.region { name = "bar", outline = talus.rect(0, 0, 2, height), material = rock, mesh = { kind = kind, nx = nx, ny = ny },
+                                 joint = talus.joint { tension = 1*u.MPa, cohesion = 20*u.MPa,
+                                   reduction = talus.laws.softening { G_I = energy, residual = { cohesion = 0, tension = 0 } } } } },
+      fix = { talus.fix { region = "bar", on = "left", x = true }, talus.fix { region = "bar", on = talus.point(0, 0) },
+              talus.fix { region = "bar", on = "right", x = true, displacement = { {{0, 0}, {1, 12*energy/(1*u.MPa)}}, 0 } } },
+      time = { mode = "static", steps = 40 } }
+    sim:run()
+    local name = string.format("bar of equal bonds, %s %d x %d, %g J/m2", kind, nx, ny, energy)
+    talus.check.near(name .. ": taken by the bonds, of G times its height", sim.energy.fracture/(energy*height), 1, { rel = 0.01 })
+    talus.check.below(name .. ": increments, of 40 steps", sim.totals.steps, 50)
+  end
+end
+
 local flung = account("bar torn in motion", {
   regions = { talus.region { name = "bar", outline = talus.rect(0, 0, 2, 0.5), material = rock, joint = joint,
                              mesh = { kind = "cross", nx = 8, ny = 2 } } },
