@@ -71,7 +71,7 @@ void move_held_blocks(Model& model, double dt) {
 std::array<double, max_dofs> held_velocity(const Model& model, int block, double dt) {
   if (model.held_by[block] < 0 || dt == 0) return {};
   const Fixity& fixity = model.scene.fixities[model.held_by[block]];
-  const Vec2 v = (fixity_displacement(fixity, model.time + dt) - model.blocks[block].shift) / dt;
+  const Vec2 v = (fixity.moved(model.time + dt) - model.blocks[block].shift) / dt;
   return {v.x(), v.y(), fixity.spin * model.shapes[block].length};
 }
 
@@ -79,7 +79,7 @@ void place_held_blocks(Model& model) {
   std::unordered_map<int, Vec2> moved;
   for (size_t b = 0; b < model.shapes.size(); ++b) {
     if (model.shapes[b].dofs > 0 || model.held_by[b] < 0) continue;
-    const Vec2 to = fixity_displacement(model.scene.fixities[model.held_by[b]], model.time);
+    const Vec2 to = model.scene.fixities[model.held_by[b]].moved(model.time);
     if (to == model.blocks[b].shift) continue;
     moved[int(b)] = to - model.blocks[b].shift;
     model.blocks[b].shift = to;

@@ -28,7 +28,7 @@ Held<n> held_at(const Model& model, const SupportPoint& point, const Pose& pose,
     return p.displacement(point.in_block) + scheme.bond_ahead * p.velocity_at(point.in_block);
   };
   const Vec2 displacement = (1 - scheme.bond_end) * ahead(start) + scheme.bond_end * ahead(end);
-  const Vec2 wanted = fixity_displacement(fixity, model.time + scheme.hold_time);
+  const Vec2 wanted = fixity.moved(model.time + scheme.hold_time);
   Held<n> h;
   h.displacement = held * pose.rows<n>(point.in_block, pose.place(point.in_block));
   h.flux = RowsOf<n>::Zero();
@@ -49,12 +49,6 @@ ColumnOf<n> of_block(const BlockShape& shape, const Vector& x) {
 }
 
 }  // namespace
-
-Vec2 fixity_displacement(const Fixity& fixity, double t) {
-  if (fixity.motion == Fixity::none || t <= 0) return Vec2::Zero();
-  if (fixity.motion == Fixity::displacement) return {fixity.value[0].at(t), fixity.value[1].at(t)};
-  return {fixity.value[0].integral(t), fixity.value[1].integral(t)};
-}
 
 void Supports::prepare(const Model& model, const std::vector<double>& edge_stiffness) {
   points_.clear();
@@ -94,7 +88,7 @@ double Supports::energy(const Model& model, double ahead) const {
     const Pose pose = flown(model, point.block, 0);
     const Side side = side_of(model, pose, point.block, point.normal, 1);
     const Vec2 gap =
-        held_directions(fixity) * (fixity_displacement(fixity, model.time + ahead) -
+        held_directions(fixity) * (fixity.moved(model.time + ahead) -
                                    pose.displacement(point.in_block) - ahead * pose.velocity_at(point.in_block));
     sum += point.weight * (side.traction_at(point.in_block, ahead) + point.stiffness / 2 * gap).dot(gap);
   }
@@ -114,7 +108,7 @@ Supports::Work Supports::work(const Model& model, const Poses& poses, const Sche
       const auto [t, s, gap, traction] = held_at<n>(model, point, poses.blocks[point.block], scheme);
       const Mat2 held = held_directions(fixity);
       const auto wanted = [&](double seconds) -> Vec2 {
-        return held * fixity_displacement(fixity, model.time + seconds);
+        return held * fixity.moved(model.time + seconds);
       };
       const BlockShape& shape = model.shapes[point.block];
       const ColumnOf<n> own = of_block<n>(shape, d);
@@ -144,7 +138,7 @@ std::vector<Vec2> Supports::reactions(const Model& model, double t) const {
   for (const SupportPoint& point : points_) {
     const Fixity& fixity = model.scene.fixities[point.fixity];
     const Pose pose = flown(model, point.block, 0);
-    const Vec2 gap = fixity_displacement(fixity, t) - pose.displacement(point.in_block);
+    const Vec2 gap = fixity.moved(t) - pose.displacement(point.in_block);
     const Vec2 traction = side_of(model, pose, point.block, point.normal, 1).traction_at(point.in_block, 0);
     sum[point.fixity] += point.weight * held_directions(fixity) * (traction + point.stiffness * gap);
   }

@@ -17,9 +17,6 @@ struct SupportPoint {
   double stiffness = 0;          // N/m3 of an edge, N/m of a point
 };
 
-// Displacement (m) a fixity asks for at time `t`: its displacement history, or its velocity summed from 0 to t.
-Vec2 fixity_displacement(const Fixity& fixity, double t);
-
 class Supports {
  public:
   void prepare(const Model& model, const std::vector<double>& edge_stiffness);  // N/m3, per Model::edge_fixities

@@ -60,6 +60,9 @@ class Finder {
     return found;
   }
 
+  bool meet(const Vec2& a, const Vec2& b) const { return (a - b).norm() <= tolerance_; }
+  bool meet(const Part& part, const Vec2& point) const { return distance_to_boundary({part.from, part.to}, point) <= tolerance_; }
+
   // Whether two parts are of one edge and share more than a point.
   bool share(const Part& a, const Part& b) const {
     if (a.block != b.block || a.edge != b.edge) return false;
@@ -112,9 +115,56 @@ void attach_fixity_edge(Model& model, int fixity, const Finder::Part& part, bool
   model.edge_fixities.push_back(edge);
 }
 
+// What both hold and move differently, looked at now and then; empty: nothing.
+std::string contradiction(const Fixity& a, const Fixity& b, double end) {
+  constexpr int looks = 16;
+  constexpr double rounding = 1e-12;
+  for (const int way : {0, 1}) {
+    if (!a.held[size_t(way)] || !b.held[size_t(way)]) continue;
+    for (int k = 1; k <= looks; ++k) {
+      const double of_a = a.moved(end * k / looks)[way], of_b = b.moved(end * k / looks)[way];
+      if (std::abs(of_a - of_b) > rounding * (std::abs(of_a) + std::abs(of_b))) return std::string("holds or moves ") + "xy"[way] + " otherwise";
+    }
+  }
+  return a.spin != b.spin ? "turns it otherwise" : "";
+}
+
+// Where both hold the same; empty: nowhere. Edges that meet in a corner do not.
+std::string common_place(const Model& model, const Fixity& a, const Fixity& b, const Finder& finder) {
+  if (a.region != b.region) return {};
+  if (a.on.kind == On::region || b.on.kind == On::region) return "region \"" + model.scene.regions[a.region].name + "\"";
+  if (a.on.kind == On::point && b.on.kind == On::point) return finder.meet(a.on.from, b.on.from) ? at_text(a.on.from + model.origin) : "";
+  const Fixity &edge = a.on.kind == On::point ? b : a, &other = a.on.kind == On::point ? a : b;
+  for (const Finder::Part& part : finder.edges_on(edge.on, edge.region)) {
+    if (other.on.kind == On::point) {
+      if (finder.meet(part, other.on.from)) return at_text(other.on.from + model.origin);
+      continue;
+    }
+    for (const Finder::Part& own : finder.edges_on(other.on, other.region))
+      if (finder.share(part, own))
+        return "the edge from " + at_text(part.from + model.origin) + " to " + at_text(part.to + model.origin);
+  }
+  return {};
+}
+
+// Two that hold the same in one direction and move it differently would come to something between.
+void check_agreement(const Model& model, int id, const Finder& finder) {
+  const Fixity& fixity = model.scene.fixities[size_t(id)];
+  for (int earlier = 0; earlier < id; ++earlier) {
+    const Fixity& other = model.scene.fixities[size_t(earlier)];
+    const std::string where = common_place(model, fixity, other, finder);
+    if (where.empty()) continue;
+    const std::string what = contradiction(fixity, other, model.scene.time.t_end);
+    if (!what.empty())
+      throw InputError(fixity.place, "fix.on", "what no other fix moves differently",
+                       where + ", where \"" + other.name + "\" " + what);
+  }
+}
+
 void attach_fixity(Model& model, int id, const Finder& finder) {
   const Fixity& fixity = model.scene.fixities[id];
   const std::string name = model.scene.regions[fixity.region].name;
+  check_agreement(model, id, finder);
   if (fixity.on.kind == On::region) {
     if (!fixity.held[0] || !fixity.held[1])
       throw InputError(fixity.place, "fix", "x and y both held where a whole region is held", "one direction");

@@ -144,6 +144,12 @@ struct Fixity {
   enum Motion { none, displacement, velocity } motion = none;
   std::array<History, 2> value;  // m or m/s
   double spin = 0;               // rad/s, about the centroid: only for On::region
+
+  Vec2 moved(double t) const {  // m, since the start, as it asks for; of a region its centroid
+    if (motion == none || t <= 0) return Vec2::Zero();
+    if (motion == displacement) return {value[0].at(t), value[1].at(t)};
+    return {value[0].integral(t), value[1].integral(t)};
+  }
 };
 
 struct PointLoad {

@@ -266,7 +266,7 @@ void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledge
   const std::vector<Vec2> reaction = support_reactions(model, supports, model.time);
   for (size_t f = 0; f < reaction.size(); ++f) {
     const Fixity& fixity = model.scene.fixities[f];
-    const Vec2 moved = fixity_displacement(fixity, model.time) - fixity_displacement(fixity, time_);
+    const Vec2 moved = fixity.moved(model.time) - fixity.moved(time_);
     ledger.boundary_work += (reactions_[f] + reaction[f]).dot(moved) / 2;
   }
   for (Contact& c : model.contacts) {

@@ -21,7 +21,7 @@ std::vector<double> read_inputs(const Model& model, const Scheme& scheme) {
   for (const EdgeLoad& load : scene.edge_loads) add(load.traction);
   for (const Region& region : scene.regions) add(region.body_force);
   for (const Fixity& fixity : scene.fixities) {
-    const Vec2 wanted = fixity_displacement(fixity, model.time + scheme.hold_time);
+    const Vec2 wanted = fixity.moved(model.time + scheme.hold_time);
     values.insert(values.end(), {wanted.x(), wanted.y()});
   }
   return values;
