@@ -296,7 +296,7 @@ function talus.gmsh(fields) end
 ---@field velocity? table m/s; prescribed velocity
 ---@field spin? number rad/s; prescribed spin of a whole region about its centroid
 
----Holds a region, an edge or a point, or moves it as prescribed.
+---Holds a region, an edge or a point, or moves it as prescribed. Where two hold the same direction of one place they move it alike.
 ---@param fields talus.fix
 ---@return talus.fix
 function talus.fix(fields) end

@@ -15,7 +15,7 @@ on_point.doc = on_point.doc .. ", or a `talus.point` (the region's point nearest
 
 return {
   {
-    kind = "fix", call = "talus.fix", doc = "Holds a region, an edge or a point, or moves it as prescribed.",
+    kind = "fix", call = "talus.fix", doc = "Holds a region, an edge or a point, or moves it as prescribed. Where two hold the same direction of one place they move it alike.",
     fields = {
       name,
       region(true, nil, "its name, or the region itself"),
