@@ -93,6 +93,7 @@ void scatter_strengths(Model& model) {
 
 Model build(Scene scene) {
   check_regions(scene);
+  check_contact_rules(scene);
   default_contact(scene);
   Model model;
   doubt_units(scene, model.notes);

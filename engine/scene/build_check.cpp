@@ -236,6 +236,16 @@ void check_weight(const Scene& scene, const Region& region) {
 
 }  // namespace
 
+void check_contact_rules(const Scene& scene) {
+  const auto pair_of = [](const ContactRule& rule) { return std::minmax(rule.region_a, rule.region_b); };
+  for (auto rule = scene.contact_rules.begin(); rule != scene.contact_rules.end(); ++rule)
+    for (auto other = scene.contact_rules.begin(); other != rule; ++other)
+      if (pair_of(*rule) == pair_of(*other) && rule->property != other->property)
+        throw InputError(rule->place, "contact.between", "a pair of regions that no other rule is for",
+                         "\"" + scene.regions[rule->region_a].name + "\" and \"" + scene.regions[rule->region_b].name +
+                             "\", which have another joint already");
+}
+
 void check_regions(Scene& scene) {
   if (scene.regions.empty()) throw InputError(scene.time.place, "regions", "at least one region", "none");
   for (Region& region : scene.regions) {

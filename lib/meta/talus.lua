@@ -445,7 +445,7 @@ function talus.eos.jwl(fields) end
 ---@field regions (talus.region)[]|table the regions
 ---@field gravity? number[] m/s2; acceleration of gravity
 ---@field contact? talus.joint property of contacts between regions
----@field contacts? (talus.contact)[]|table rules for pairs of regions
+---@field contacts? (talus.contact)[]|table rules for pairs of regions, one a pair
 ---@field fix? (talus.fix)[]|table what is held or moved
 ---@field loads? (talus.point_load|talus.edge_load|talus.pressure)[]|table loads
 ---@field boundaries? (talus.viscous)[]|table edges that let waves out

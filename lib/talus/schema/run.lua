@@ -17,7 +17,7 @@ return {
       { name = "contact", type = "object", kinds = { "joint" }, default_doc = "a joint with its defaults",
         doc = "property of contacts between regions" },
       { name = "contacts", type = "list", of = { type = "object", kinds = { "contact" } },
-        doc = "rules for pairs of regions" },
+        doc = "rules for pairs of regions, one a pair" },
       { name = "fix", type = "list", of = { type = "object", kinds = { "fix" } }, doc = "what is held or moved" },
       { name = "loads", type = "list", of = { type = "object", kinds = { "point_load", "edge_load", "pressure" } },
         doc = "loads" },
