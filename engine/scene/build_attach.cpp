@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "geometry/polygon.h"
 #include "scene/build_parts.h"
@@ -71,12 +72,23 @@ class Finder {
     const auto [low, high] = std::minmax({along.dot(b.from - a.from), along.dot(b.to - a.from)});
     return std::min(high, length) - std::max(low, 0.0) > tolerance_;
   }
+  // One of `parts` that shares more than a point with one of the others.
+  std::optional<Part> shared(const std::vector<Part>& parts, const std::vector<Part>& others) const {
+    for (const Part& other : others)
+      for (const Part& part : parts)
+        if (share(part, other)) return part;
+    return std::nullopt;
+  }
 
  private:
   const Model& model_;
   const std::vector<FreeEdge>& edges_;
   double tolerance_;
 };
+
+std::string edge_text(const Model& model, const Finder::Part& part) {
+  return "the edge from " + at_text(part.from + model.origin) + " to " + at_text(part.to + model.origin);
+}
 
 std::string line_text(const Model& model, const On& on) {
   return "a free edge of region on the line " + at_text(on.from + model.origin) + " to " + at_text(on.to + model.origin);
@@ -135,16 +147,13 @@ std::string common_place(const Model& model, const Fixity& a, const Fixity& b, c
   if (a.on.kind == On::region || b.on.kind == On::region) return "region \"" + model.scene.regions[a.region].name + "\"";
   if (a.on.kind == On::point && b.on.kind == On::point) return finder.meet(a.on.from, b.on.from) ? at_text(a.on.from + model.origin) : "";
   const Fixity &edge = a.on.kind == On::point ? b : a, &other = a.on.kind == On::point ? a : b;
-  for (const Finder::Part& part : finder.edges_on(edge.on, edge.region)) {
-    if (other.on.kind == On::point) {
-      if (finder.meet(part, other.on.from)) return at_text(other.on.from + model.origin);
-      continue;
-    }
-    for (const Finder::Part& own : finder.edges_on(other.on, other.region))
-      if (finder.share(part, own))
-        return "the edge from " + at_text(part.from + model.origin) + " to " + at_text(part.to + model.origin);
+  const auto parts = finder.edges_on(edge.on, edge.region);
+  if (other.on.kind == On::point) {
+    const bool meet = std::any_of(parts.begin(), parts.end(), [&](const Finder::Part& part) { return finder.meet(part, other.on.from); });
+    return meet ? at_text(other.on.from + model.origin) : "";
   }
-  return {};
+  const auto part = finder.shared(parts, finder.edges_on(other.on, other.region));
+  return part ? edge_text(model, *part) : "";
 }
 
 // Two that hold the same in one direction and move it differently would come to something between.
@@ -215,12 +224,8 @@ void check_alone(const Model& model, int id, const std::vector<Finder::Part>& pa
   const ViscousBoundary& boundary = model.scene.viscous_boundaries[id];
   const auto check = [&](const On& on, int region, const std::string& whose) {
     if (region != boundary.region || on.kind != On::line) return;
-    for (const Finder::Part& other : finder.edges_on(on, region))
-      for (const Finder::Part& part : parts)
-        if (finder.share(part, other))
-          throw InputError(boundary.place, "viscous.on", "edges of its own",
-                           "the edge from " + at_text(part.from + model.origin) + " to " +
-                               at_text(part.to + model.origin) + ", which " + whose);
+    if (const auto part = finder.shared(parts, finder.edges_on(on, region)))
+      throw InputError(boundary.place, "viscous.on", "edges of its own", edge_text(model, *part) + ", which " + whose);
   };
   for (const Fixity& fixity : model.scene.fixities) check(fixity.on, fixity.region, "\"" + fixity.name + "\" holds");
   for (int earlier = 0; earlier < id; ++earlier) {
