@@ -230,4 +230,9 @@ void LinearSolver::solve_coarsely(const Vector& b, Vector& x) {
   if ((coarse - x).norm() <= allowed * x.norm()) state = Cholmod::Coarse::serves;
 }
 
+Eigen::MatrixXd LinearSolver::compliance_of(const std::vector<SparseColumn>& columns) const {
+  if (!cholmod_->good) throw std::logic_error("compliance without a factor");
+  return compliance(cholmod_->supernodes(), columns);
+}
+
 }  // namespace talus

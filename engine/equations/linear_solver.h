@@ -2,8 +2,10 @@
 // Sparse Cholesky of a BlockMatrix (CHOLMOD, supernodal). The order is found once on the block graph and
 // kept while the pattern lasts. The only room that knows SuiteSparse.
 #include <memory>
+#include <vector>
 
 #include "equations/block_matrix.h"
+#include "equations/compliance.h"
 
 namespace talus {
 
@@ -21,6 +23,8 @@ class LinearSolver {
   // The same with an error of up to 1e-4 of x, in half the time: for iterations that solve() ends. The first after each factor is
   // exact, and finds whether that error is kept; where it is not all are.
   void solve_coarsely(const Vector& b, Vector& x);
+  // Aᵀ K⁻¹ A with the last factor.
+  Eigen::MatrixXd compliance_of(const std::vector<SparseColumn>& columns) const;
 
   long factorisations = 0;
 

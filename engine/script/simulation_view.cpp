@@ -80,6 +80,7 @@ void push_totals(lua_State* L, const Simulation& simulation) {
   set_integer(L, "steps_by_sweeps", totals.steps_by_sweeps);
   set_integer(L, "sweeps", totals.sweeps);
   set_integer(L, "splittings", totals.splittings);
+  set_integer(L, "pivots", totals.pivots);
   push_islands(L, totals.islands);
   lua_setfield(L, -2, "islands");
   set_integer(L, "iterations", totals.iterations);

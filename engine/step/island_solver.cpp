@@ -159,6 +159,7 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
   result.solves += own.iterations;
   result.sweeps += own.sweeps;
   result.splittings += own.splittings;
+  result.pivots += own.pivots;
   result.factorisations += problem.solver.factorisations - before;
   result.total_effort += own.effort() * double(problem.blocks.size()) / double(step.model.shapes.size());
   ++(own.iterations == 0 ? result.islands.by_sweeps : result.islands.with_factor);

@@ -23,6 +23,7 @@ struct OpenCloseResult {
   int iterations = 0;   // solves with a factor
   int sweeps = 0;
   int splittings = 0;  // iterations
+  int pivots = 0;      // factors made with states that pivots found; among `iterations`
   double effort() const { return iterations + sweep_effort * sweeps + splitting_effort * splittings; }  // factors
   bool split = false;       // the splitting found it
   double sweep_change = 0;  // N, of the forces in the last pair
@@ -73,6 +74,14 @@ class OpenClose {
   bool factor(ContactProblem& problem, OpenCloseResult& result);
   void predict(ContactProblem& problem, Vector& d, OpenCloseResult& result);
   void convex_step(ContactProblem& problem, Vector& d, OpenCloseResult& result);
+  struct Chosen;
+  bool contradicted(const ContactProblem& problem, size_t k) const;
+  int contradictions(const ContactProblem& problem) const;
+  void follow_pivots(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result);
+  bool find_states(ContactProblem& problem, int most, Chosen& chosen, Vector& d);
+  void choose(const ContactProblem& problem, size_t k, Chosen& chosen) const;
+  void choose_slipping_beside(const ContactProblem& problem, Chosen& chosen) const;
+  bool pivot(ContactProblem& problem, Chosen& chosen, Vector& d);
   struct Change;
   std::vector<Change> coupled_changes(const ContactProblem& problem) const;
   static void solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, Vector& p);

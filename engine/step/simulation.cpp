@@ -17,7 +17,7 @@ namespace talus {
 
 void visit_state(RunTotals& totals, StateVisitor& v) {
   // parts: CPU time is the process's.
-  [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, sweeps, splittings, steps_at_rest, steps_by_sweeps,
+  [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, sweeps, splittings, pivots, steps_at_rest, steps_by_sweeps,
                           islands, failures, inaccurate, largest_iterations, largest_utilisation, largest_residual, parts] = totals;
   v("steps", steps);
   v("iterations", iterations);
@@ -25,6 +25,7 @@ void visit_state(RunTotals& totals, StateVisitor& v) {
   v("factorisations", factorisations);
   v("sweeps", sweeps);
   v("splittings", splittings);
+  v("pivots", pivots);
   v("steps_at_rest", steps_at_rest);
   v("steps_by_sweeps", steps_by_sweeps);
   for (long* count : {&islands.at_rest, &islands.single, &islands.by_sweeps, &islands.with_factor, &islands.asleep})

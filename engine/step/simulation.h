@@ -46,6 +46,7 @@ struct RunTotals {
   long steps = 0, iterations = 0, cuts = 0, factorisations = 0;
   long sweeps = 0;           // over the contacts
   long splittings = 0;       // iterations, a solve each
+  long pivots = 0;           // of the iterations: with states that pivots found
   long steps_at_rest = 0;    // in which nothing moved: not solved
   long steps_by_sweeps = 0;  // solved without a factor
   IslandCounts islands;      // summed over steps

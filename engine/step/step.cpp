@@ -325,6 +325,7 @@ IslandResult Stepper::solve(double dt, Vector& d) {
   totals_.iterations += result.solves;
   totals_.sweeps += result.sweeps;
   totals_.splittings += result.splittings;
+  totals_.pivots += result.pivots;
   effort_ += result.total_effort;
   totals_.factorisations += result.factorisations;
   totals_.largest_iterations = std::max(totals_.largest_iterations, result.iterations);
