@@ -12,8 +12,9 @@ struct SparseColumn {
   std::vector<double> values;
 };
 
-// W = Aᵀ K⁻¹ A, columns × columns, for K = P^T L Lᵀ P: the Gram matrix of L⁻¹ P A. Of L only the supernodes between a column's unknowns and
-// the root of the elimination tree are read, a tenth of what solving for it would.
+// W = Aᵀ K⁻¹ A, columns × columns, for P K Pᵀ = L Lᵀ: the Gram matrix of L⁻¹ P A. All unknowns of a column belong to blocks that K couples
+// with each other, as those of a contact do, and so lie on one path to the root of the elimination tree: of L that path alone is read, a tenth
+// of what a solution would.
 Eigen::MatrixXd compliance(const SupernodalFactor& factor, const std::vector<SparseColumn>& columns);
 
 }  // namespace talus

@@ -27,8 +27,6 @@ constexpr int most_full = 8;      // Newton's steps from the splitting's states
 // Newton's steps in equilibrium: before the splitting, and where nothing slides, before it is sought against more inertia.
 constexpr int newton_sliding = 4, newton_stuck = 15;
 constexpr int pairs_alone = 10000;  // where no factor is allowed: as tests/contact gives its candidates
-constexpr int few = 20;             // one state in so many has changed: the coupled law is tried
-constexpr int most_coupled = 4;     // steps of the coupled law in a row
 constexpr double sweep_tolerance =
     1e-13;  // change of a pair, part of all forces: contacts are stiffer than blocks
 
@@ -97,6 +95,7 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
   };
   keep_least();
   bool halved = !settings.split;
+  int rounds = 0;
   while (halved && !result.converged && !missed_ && result.iterations < settings.max_iterations &&
          result.effort() < settings.most_effort) {
     const double before = result.sweep_change;
@@ -105,13 +104,8 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
     predict(problem, d, result);
     follow_pivots(problem, tolerance, d, result);
     if (result.singular_block >= 0 || (result.converged = result.residual <= tolerance)) return;
-    const auto closed = std::count(closed_.begin(), closed_.end(), 1);
-    for (int k = 0; k < most_coupled && result.residual > tolerance && few * changed_states(problem) <= closed;
-         ++k)
-      if (!coupled_step(problem, d, result)) break;
-    if ((result.converged = result.residual <= tolerance)) return;
     take_forces(problem);
-    const int pairs = (sweeps_.bonded() ? pairs_between_bonded : pairs_between) * result.iterations;
+    const int pairs = (sweeps_.bonded() ? pairs_between_bonded : pairs_between) * ++rounds;
     result.converged = sweep(problem, pairs, 0, Carry::momentum, d, result) <= tolerance;
     take_states(problem);
     halved = result.sweep_change < 0.5 * before;

@@ -39,12 +39,13 @@ struct OpenClose::Chosen {
   std::vector<int> rows;
   std::vector<char> is_one;  // per contact of the problem
   std::vector<PivotContact> contacts;
+  bool can_be = true;  // found by pivots, for which friction has to have a bound
 };
 
 // Whether the present d contradicts the state that the contact was factored with.
 bool OpenClose::contradicted(const ContactProblem& problem, size_t k) const {
   const ContactRows& row = problem.contacts.rows()[k];
-  if (!row.near || !bounded(row)) return false;
+  if (!row.near) return false;
   if (closed_[k] != factored_closed_[k]) return true;
   const double limit = friction_limit(row, normal_force(row, k)), shear = row.ks * slide_[k];
   if (limit == 0) return false;
@@ -91,11 +92,11 @@ bool OpenClose::find_states(ContactProblem& problem, int most, Chosen& chosen, V
   const bool again = !chosen.rows.empty();
   for (size_t k = 0; k < rows.size(); ++k)
     if (!factored_stuck_[k]) shear_[k] = std::copysign(friction_limit(rows[k], normal_force(rows[k], k)), shear_[k]);
-  for (PivotContact& contact : chosen.contacts) {
-    const auto k = size_t(chosen.rows[size_t(&contact - chosen.contacts.data())]);
-    contact.closed = closed_[k];
-    contact.stuck = factored_stuck_[k];
-    contact.shear = shear_[k];
+  for (size_t c = 0; c < chosen.rows.size(); ++c) {
+    const auto k = size_t(chosen.rows[c]);
+    chosen.contacts[c].closed = closed_[k];
+    chosen.contacts[c].stuck = factored_stuck_[k];
+    chosen.contacts[c].shear = shear_[k];
   }
   const auto choose_contradicted = [&] {
     const size_t before = chosen.rows.size();
@@ -107,10 +108,11 @@ bool OpenClose::find_states(ContactProblem& problem, int most, Chosen& chosen, V
   choose_contradicted();
   if (again) choose_slipping_beside(problem, chosen);
   do {
-    if (chosen.rows.size() > size_t(most) || !pivot(problem, chosen, d)) return false;
+    if (!chosen.can_be || chosen.rows.size() > size_t(most) || !pivot(problem, chosen, d)) return false;
     problem.system.matrix.multiply(d, kd_.setZero(d.size()));
     evaluate(problem, d);
   } while (choose_contradicted());
+  if (!chosen.can_be) return false;
   closed_ = factored_closed_;
   stuck_ = factored_stuck_;
   for (size_t c = 0; c < chosen.rows.size(); ++c) {
@@ -125,6 +127,7 @@ bool OpenClose::find_states(ContactProblem& problem, int most, Chosen& chosen, V
 void OpenClose::choose(const ContactProblem& problem, size_t k, Chosen& chosen) const {
   const ContactRows& row = problem.contacts.rows()[k];
   if (chosen.is_one[k]) return;
+  chosen.can_be = chosen.can_be && bounded(row);
   chosen.is_one[k] = 1;
   chosen.rows.push_back(int(k));
   chosen.contacts.push_back({.gap0 = 0, .slide0 = 0, .kn = row.kn, .ks = row.ks, .friction = row.friction, .cohesion = row.cohesion,
@@ -189,7 +192,7 @@ bool OpenClose::pivot(ContactProblem& problem, Chosen& chosen, Vector& d) {
     for (size_t k = 0; k < columns[size_t(c)].unknowns.size(); ++k)
       r_[columns[size_t(c)].unknowns[k]] += more[c] * columns[size_t(c)].values[k];
   problem.solver.solve(r_, d);
-  return true;
+  return d.allFinite();
 }
 
 }  // namespace talus
