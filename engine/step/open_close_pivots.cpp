@@ -109,7 +109,6 @@ bool OpenClose::find_states(ContactProblem& problem, int most, Chosen& chosen, V
   if (again) choose_slipping_beside(problem, chosen);
   do {
     if (!chosen.can_be || chosen.rows.size() > size_t(most) || !pivot(problem, chosen, d)) return false;
-    problem.system.matrix.multiply(d, kd_.setZero(d.size()));
     evaluate(problem, d);
   } while (choose_contradicted());
   if (!chosen.can_be) return false;
@@ -188,9 +187,11 @@ bool OpenClose::pivot(ContactProblem& problem, Chosen& chosen, Vector& d) {
     forces[2 * c + 1] = -chosen.contacts[size_t(c)].shear;
   }
   const Vector more = forces + spring.cwiseProduct(free + w * forces);
-  for (Eigen::Index c = 0; c < 2 * count; ++c)
-    for (size_t k = 0; k < columns[size_t(c)].unknowns.size(); ++k)
-      r_[columns[size_t(c)].unknowns[k]] += more[c] * columns[size_t(c)].values[k];
+  for (Eigen::Index c = 0; c < count; ++c) {
+    const ContactRows& row = rows[size_t(chosen.rows[size_t(c)])];
+    row.add(row.normal_i, row.normal_j, more[2 * c], r_);
+    row.add(row.shear_i, row.shear_j, more[2 * c + 1], r_);
+  }
   problem.solver.solve(r_, d);
   return d.allFinite();
 }
