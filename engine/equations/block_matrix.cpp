@@ -6,7 +6,7 @@ namespace talus {
 
 bool BlockMatrix::set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs) {
   for (auto& [a, b] : pairs)
-    if (a > b) std::swap(a, b);
+    if (a < b) std::swap(a, b);
   std::erase_if(pairs, [&](const auto& p) { return p.first == p.second || sizes[p.first] == 0 || sizes[p.second] == 0; });
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -22,18 +22,20 @@ bool BlockMatrix::set_pattern(const std::vector<int>& sizes, std::vector<std::pa
   for (int b = 0; b < blocks; ++b) pair_begin_[b + 1] += pair_begin_[b];
 
   pair_offset_.resize(pairs_.size());
+  above_.resize(blocks);
   column_begin_.assign(1, 0);
   row_index_.clear();
   for (int b = 0; b < blocks; ++b) {
-    int offset = sizes_[b];
+    int offset = 0;
     for (int p = pair_begin_[b]; p < pair_begin_[b + 1]; ++p) {
       pair_offset_[p] = offset;
       offset += sizes_[pairs_[p].second];
     }
+    above_[b] = offset;
     for (int j = 0; j < sizes_[b]; ++j) {
-      for (int i = j; i < sizes_[b]; ++i) row_index_.push_back(begin_[b] + i);
       for (int p = pair_begin_[b]; p < pair_begin_[b + 1]; ++p)
         for (int i = 0; i < sizes_[pairs_[p].second]; ++i) row_index_.push_back(begin_[pairs_[p].second] + i);
+      for (int i = 0; i <= j; ++i) row_index_.push_back(begin_[b] + i);
       column_begin_.push_back(int(row_index_.size()));
     }
   }
@@ -60,8 +62,8 @@ bool BlockMatrix::take_part(const BlockMatrix& whole, const std::vector<int>& bl
 }
 
 BlockMatrix::Slot BlockMatrix::slot(int a, int b) const {
-  if (a == b) return {a, a, 0};
-  const auto [column, row] = std::minmax(a, b);
+  if (a == b) return {a, a, above_[a]};
+  const auto [row, column] = std::minmax(a, b);
   const auto first = pairs_.begin() + pair_begin_[column], last = pairs_.begin() + pair_begin_[column + 1];
   const auto found = std::lower_bound(first, last, std::pair<int, int>(column, row));
   if (found == last || found->second != row) return {};
@@ -72,19 +74,19 @@ void BlockMatrix::add_outer(const Slot& slot, double factor, const double* u, co
   const int rows = sizes_[slot.row], columns = sizes_[slot.column], first = begin_[slot.column];
   const bool diagonal = slot.row == slot.column;
   for (int j = 0; j < columns; ++j) {
-    const int skip = diagonal ? j : 0;
-    double* to = &values[column_begin_[first + j] + (diagonal ? 0 : slot.offset - j)];
+    double* const to = &values[column_begin_[first + j] + slot.offset];
     const double scale = factor * v[j];
-    for (int i = skip; i < rows; ++i) to[i - skip] += scale * u[i];
+    const int count = diagonal ? j + 1 : rows;
+    for (int i = 0; i < count; ++i) to[i] += scale * u[i];
   }
 }
 
 void BlockMatrix::multiply(const Vector& x, Vector& y) const {
   for (int j = 0; j < dimension(); ++j) {
-    int k = column_begin_[j];
+    const int diagonal = column_begin_[j + 1] - 1;
     const double xj = x[j];
-    double sum = values[k] * xj;
-    for (++k; k < column_begin_[j + 1]; ++k) {
+    double sum = values[diagonal] * xj;
+    for (int k = column_begin_[j]; k < diagonal; ++k) {
       const int i = row_index_[k];
       y[i] += values[k] * xj;
       sum += values[k] * x[i];

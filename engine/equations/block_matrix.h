@@ -1,6 +1,6 @@
 #pragma once
-// A symmetric sparse matrix of dense blocks of any size, kept as the lower triangle by scalar columns (the
-// form CHOLMOD takes). The pattern comes from pairs of blocks; values are added through slots found once.
+// A symmetric sparse matrix of dense blocks of any size, kept as the upper triangle by scalar columns (which CHOLMOD reorders with one
+// transposition, the lower one with two). The pattern comes from pairs of blocks; values are added through slots found once.
 #include <cstdint>
 #include <unordered_map>
 #include <utility>
@@ -21,15 +21,15 @@ class BlockMatrix {
   // the part. Returns whether the pattern changed.
   bool take_part(const BlockMatrix& whole, const std::vector<int>& blocks, const std::vector<int>& place);
 
-  // Where the (row block, column block) submatrix lies; row > column, or equal for the diagonal.
+  // Where the (row block, column block) submatrix lies; row < column, or equal for the diagonal.
   struct Slot {
     int row = -1, column = -1;
-    int offset = 0;  // rows between the top of the column's entries and the submatrix
+    int offset = 0;  // rows above the submatrix among the column's entries
   };
   Slot slot(int a, int b) const;
 
   // K(row, column) += m, where m(i, j) belongs to row unknown i and column unknown j (or transposed, when
-  // the pair was given in the other order). Only the lower triangle of a diagonal block is read.
+  // the pair was given in the other order). Only the upper triangle of a diagonal block is read.
   template <typename Derived>
   void add(const Slot& slot, bool transposed, const Eigen::MatrixBase<Derived>& m) {
     if (transposed)
@@ -49,16 +49,16 @@ class BlockMatrix {
   void diagonal(int block, Eigen::MatrixBase<Derived>& m) const {
     const int size = sizes_[block], first = begin_[block];
     for (int j = 0; j < size; ++j)
-      for (int i = j; i < size; ++i) m(i, j) = m(j, i) = values[column_begin_[first + j] + i - j];
+      for (int i = 0; i <= j; ++i) m(i, j) = m(j, i) = values[column_begin_[first + j] + above_[block] + i];
   }
 
-  // The submatrix of a pair, row > column; `m` has at least its size.
+  // The submatrix of a pair, row < column; `m` has at least its size.
   template <typename Derived>
   void part(int row, int column, Eigen::MatrixBase<Derived>& m) const {
     const Slot at = slot(row, column);
     const int first = begin_[column];
     for (int j = 0; j < sizes_[column]; ++j)
-      for (int i = 0; i < sizes_[row]; ++i) m(i, j) = values[column_begin_[first + j] + at.offset - j + i];
+      for (int i = 0; i < sizes_[row]; ++i) m(i, j) = values[column_begin_[first + j] + at.offset + i];
   }
 
   int dimension() const { return int(column_begin_.size()) - 1; }
@@ -68,7 +68,7 @@ class BlockMatrix {
   const std::vector<int>& row_index() const { return row_index_; }
   const std::vector<int>& sizes() const { return sizes_; }
   const std::vector<int>& block_begin() const { return begin_; }
-  const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }  // (column, row), sorted, row > column
+  const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }  // (column, row), sorted, row < column
 
   std::vector<double> values;
 
@@ -79,20 +79,20 @@ class BlockMatrix {
     const bool diagonal = slot.row == slot.column;
     const int* const begin = &column_begin_[first];
     for (int j = 0; j < columns; ++j) {
-      double* const to = &values[begin[j] + (diagonal ? 0 : slot.offset - j)];
+      double* const to = &values[begin[j] + slot.offset];
       if (!diagonal && rows == m.rows()) {  // whole columns, mostly of a size that is known
         Eigen::Map<Eigen::Matrix<double, Derived::RowsAtCompileTime, 1>>(to, rows) += m.col(j);
         continue;
       }
-      const int skip = diagonal ? j : 0;
-      for (int i = skip; i < rows; ++i) to[i - skip] += m(i, j);
+      const int count = diagonal ? j + 1 : rows;
+      for (int i = 0; i < count; ++i) to[i] += m(i, j);
     }
   }
 
   std::vector<int> sizes_, begin_;           // unknowns, first unknown
   std::vector<std::pair<int, int>> pairs_;   // sorted (column, row)
   std::vector<int> pair_begin_;              // first pair of a column block
-  std::vector<int> pair_offset_;             // rows above the pair's submatrix in the column
+  std::vector<int> pair_offset_, above_;     // rows above a pair's submatrix in the column; above a block's own
   std::vector<int> column_begin_, row_index_;
 };
 

@@ -120,7 +120,7 @@ void BridgeMotion::add_point(const Model& model, const Point& point, System& sys
     if (point.size_a) stiffen(joint.a, joint.a, own.row_a, own.row_a);
     if (point.size_b) stiffen(joint.b, joint.b, own.row_b, own.row_b);
     if (!point.size_a || !point.size_b) continue;
-    if (joint.a > joint.b)
+    if (joint.a < joint.b)
       stiffen(joint.a, joint.b, own.row_a, own.row_b);
     else
       stiffen(joint.b, joint.a, own.row_b, own.row_a);

@@ -117,7 +117,7 @@ struct LinearSolver::Cholmod {
     a.p = const_cast<int*>(matrix.column_begin().data());
     a.i = const_cast<int*>(matrix.row_index().data());
     a.x = const_cast<double*>(matrix.values.data());
-    a.stype = -1;
+    a.stype = 1;
     a.itype = CHOLMOD_INT;
     a.xtype = CHOLMOD_REAL;
     a.dtype = CHOLMOD_DOUBLE;
@@ -154,7 +154,7 @@ struct LinearSolver::Cholmod {
     graph.nzmax = rows.size();
     graph.p = begin.data();
     graph.i = rows.data();
-    graph.stype = -1;
+    graph.stype = 1;
     graph.itype = CHOLMOD_INT;
     graph.xtype = CHOLMOD_PATTERN;
     graph.dtype = CHOLMOD_DOUBLE;

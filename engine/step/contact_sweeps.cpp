@@ -13,6 +13,8 @@ namespace {
 constexpr int least_run = 5;
 // Blocks. The larger the patches the fewer the sweeps; a patch costs the cube of its unknowns.
 constexpr size_t most_in_patch = 6;
+// Pairs. Motions that are carried on with the forces gather rounding, which stiff rigid walls answer with more sweeps.
+constexpr int rebuilt_every = 10;
 
 template <int n>
 ColumnOf<n> padded(const Row& row, int size) {
@@ -67,29 +69,36 @@ void SweepsOf<size>::start(const ContactProblem& problem) {
   const size_t count = blocks_.size();
   force_.assign(count + 1, Column::Zero());
   motion_.assign(count + 1, Column::Zero());
-  bond_.assign(count, Column::Zero());
   for (size_t l = 0; l < count; ++l)
     force_[l].head(problem.dofs[blocks_[l]]) =
         system.force.segment(problem.dof_begin[blocks_[l]], problem.dofs[blocks_[l]]);
-  ties_.assign(count, {});
-  Matrix coupling = Matrix::Zero();
-  for (const auto& [column, row] : system.matrix.pairs()) {
-    if (row == column || place[row] < 0 || place[column] < 0) continue;
-    coupling.setZero();
-    system.matrix.part(row, column, coupling);
-    if (coupling.isZero(0)) continue;  // they only touch
-    ties_[place[row]].push_back({place[column], coupling});
-    ties_[place[column]].push_back({place[row], coupling.transpose()});
-  }
-  find_patches();
+  find_patches(find_ties(place));
   const auto& rows = problem.contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k)
     if (rows[k].near && (place[rows[k].i] >= 0 || place[rows[k].j] >= 0)) add_link(rows[k], int(k), place);
 }
 
+// Of each block, by what is stiff between it and others.
+template <int size>
+std::vector<std::vector<typename SweepsOf<size>::Tie>> SweepsOf<size>::find_ties(const std::vector<int>& place) const {
+  const BlockMatrix& matrix = problem_->system.matrix;
+  std::vector<std::vector<Tie>> ties(blocks_.size());
+  Matrix coupling = Matrix::Zero();
+  for (const auto& [column, row] : matrix.pairs()) {
+    if (row == column || place[row] < 0 || place[column] < 0) continue;
+    coupling.setZero();
+    matrix.part(row, column, coupling);
+    if (coupling.isZero(0)) continue;  // they only touch
+    ties[place[row]].push_back({place[column], coupling});
+    ties[place[column]].push_back({place[row], coupling.transpose()});
+  }
+  return ties;
+}
+
 // Blocks that hang together, a few at a time, breadth first.
 template <int size>
-void SweepsOf<size>::find_patches() {
+void SweepsOf<size>::find_patches(std::vector<std::vector<Tie>> ties) {
+  tied_.clear();
   const int count = int(blocks_.size());
   patch_of_.assign(size_t(count) + 1, -1);
   rank_.assign(size_t(count) + 1, 0);
@@ -100,7 +109,7 @@ void SweepsOf<size>::find_patches() {
     patch.blocks = {first};
     patch_of_[first] = own;
     for (size_t k = 0; k < patch.blocks.size(); ++k)
-      for (const Tie& tie : ties_[patch.blocks[k]]) {
+      for (const Tie& tie : ties[patch.blocks[k]]) {
         if (patch_of_[tie.other] >= 0 || patch.blocks.size() >= most_in_patch) continue;
         patch_of_[tie.other] = own;
         patch.blocks.push_back(tie.other);
@@ -114,12 +123,11 @@ void SweepsOf<size>::find_patches() {
       const int block = patch.blocks[k];
       problem_->system.matrix.diagonal(blocks_[block], diagonal);
       matrix.template block<size, size>(k * size, k * size) = diagonal;
-      auto& ties = ties_[block];
-      for (const Tie& tie : ties)
+      for (const Tie& tie : ties[block])
         if (patch_of_[tie.other] == own)
           matrix.template block<size, size>(k * size, rank_[tie.other] * size) = tie.k;
-      std::erase_if(ties, [&](const Tie& tie) { return patch_of_[tie.other] == own; });
-      patch.tied = patch.tied || !ties.empty();
+      std::erase_if(ties[block], [&](const Tie& tie) { return patch_of_[tie.other] == own; });
+      if (!ties[block].empty()) tied_.push_back({block, own, std::move(ties[block])});
     }
     patch.inverse = matrix.inverse();
     for (Eigen::Index k = 0; k < members; ++k)
@@ -130,7 +138,9 @@ void SweepsOf<size>::find_patches() {
 
 template <int size>
 bool SweepsOf<size>::bonded() const {
-  return 2 * size_t(std::count_if(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.tied; })) > patches_.size();
+  size_t patches = 0;
+  for (size_t t = 0; t < tied_.size(); ++t) patches += t == 0 || tied_[t].patch != tied_[t - 1].patch;
+  return 2 * patches > patches_.size();
 }
 
 template <int size>
@@ -183,7 +193,7 @@ void SweepsOf<size>::rebuild() {
     sum[link.i] += n * link.normal_i - t * link.shear_i;
     sum[link.j] += n * link.normal_j - t * link.shear_j;
   }
-  for (size_t l = 0; l < bond_.size(); ++l) sum[l] += bond_[l];
+  for (size_t t = 0; t < tied_.size(); ++t) sum[tied_[t].block] += bond_[t];
   using OfPatch = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, int(most_in_patch) * size, 1>;
   OfPatch forces, motions;
   for (const Patch& patch : patches_) {
@@ -199,17 +209,15 @@ void SweepsOf<size>::rebuild() {
 }
 
 template <int size>
-void SweepsOf<size>::relax(const Patch& patch) {
-  if (!patch.tied) return;
-  for (const int b : patch.blocks) {
-    if (ties_[b].empty()) continue;
-    Column force = Column::Zero();
-    for (const Tie& tie : ties_[b]) force -= tie.k * motion_[tie.other];
-    const Column change = force - bond_[b];
-    bond_[b] = force;
-    for (const int moved : patch.blocks)
-      motion_[moved] += patch.inverse.template block<size, size>(rank_[moved] * size, rank_[b] * size) * change;
-  }
+void SweepsOf<size>::relax(size_t tied) {
+  const Tied& own = tied_[tied];
+  Column force = Column::Zero();
+  for (const Tie& tie : own.ties) force -= tie.k * motion_[tie.other];
+  const Column change = force - bond_[tied];
+  bond_[tied] = force;
+  const Patch& patch = patches_[own.patch];
+  for (const int moved : patch.blocks)
+    motion_[moved] += patch.inverse.template block<size, size>(rank_[moved] * size, rank_[own.block] * size) * change;
 }
 
 template <int size>
@@ -234,11 +242,11 @@ void SweepsOf<size>::move(const Link& link, double dn, double dt) {
 template <int size>
 void SweepsOf<size>::sweep(bool backwards) {
   if (backwards) {
-    for (auto patch = patches_.rbegin(); patch != patches_.rend(); ++patch) relax(*patch);
+    for (size_t t = tied_.size(); t-- > 0;) relax(t);
     for (size_t k = contacts_.size(); k-- > 0;) settle(contacts_[k], forces_[k]);
   } else {
     for (size_t k = 0; k < contacts_.size(); ++k) settle(contacts_[k], forces_[k]);
-    for (const Patch& patch : patches_) relax(patch);
+    for (size_t t = 0; t < tied_.size(); ++t) relax(t);
   }
 }
 
@@ -267,16 +275,19 @@ typename SweepsOf<size>::Change SweepsOf<size>::change(const State& from, const 
   return sum;
 }
 
-// Forces go on along their change since `last`. Motions are added up anew: carried on with them they gather rounding, which stiff rigid
-// walls answer with twice the sweeps.
+// Forces go on along their change since `last`, motions along theirs, less what contacts cannot carry; `anew`: motions are added up from
+// the forces.
 template <int size>
-void SweepsOf<size>::carry_on(const State& last, double momentum) {
-  for (size_t l = 0; l < bond_.size(); ++l) bond_[l] += momentum * (bond_[l] - last.bond[l]);
+void SweepsOf<size>::carry_on(const State& last, double momentum, bool anew) {
+  for (size_t t = 0; t < bond_.size(); ++t) bond_[t] += momentum * (bond_[t] - last.bond[t]);
+  for (size_t l = 0; l < motion_.size(); ++l) motion_[l] += momentum * (motion_[l] - last.motion[l]);
   for (size_t k = 0; k < forces_.size(); ++k) {
     const Forces now = forces_[k], before = last.forces[k];
-    forces_[k] = contacts_[k].law.carried({now.n + momentum * (now.n - before.n), now.t + momentum * (now.t - before.t)});
+    const Forces asked = {now.n + momentum * (now.n - before.n), now.t + momentum * (now.t - before.t)};
+    const Forces carried = forces_[k] = contacts_[k].law.carried(asked);
+    if (carried.n != asked.n || carried.t != asked.t) move(contacts_[k], carried.n - asked.n, carried.t - asked.t);
   }
-  rebuild();
+  if (anew) rebuild();
 }
 
 template <int size>
@@ -312,12 +323,11 @@ Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry
     motion_[l].setZero();
     motion_[l].head(problem_->dofs[blocks_[l]]) = d.segment(problem_->dof_begin[blocks_[l]], problem_->dofs[blocks_[l]]);
   }
-  for (int l = 0; l < blocks; ++l) {
-    bond_[l].setZero();
-    for (const Tie& tie : ties_[l]) bond_[l] -= tie.k * motion_[tie.other];
-  }
+  bond_.assign(tied_.size(), Column::Zero());
+  for (size_t t = 0; t < tied_.size(); ++t)
+    for (const Tie& tie : tied_[t].ties) bond_[t] -= tie.k * motion_[tie.other];
   rebuild();
-  State from, last{forces_, bond_};  // before the present pair; after the one before it
+  State from, last{forces_, bond_, motion_};  // before the present pair; after the one before it
   Progress progress;
   Mixing mixing;
   double theta = 1, before = 0;
@@ -355,7 +365,8 @@ Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry
     State& reached = from;
     reached.forces = forces_;
     reached.bond = bond_;
-    if (momentum > 0) carry_on(last, momentum);
+    reached.motion = motion_;
+    if (momentum > 0) carry_on(last, momentum, progress.pairs % rebuilt_every == 0);
     std::swap(reached, last);
   }
   rebuild();

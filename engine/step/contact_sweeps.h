@@ -83,22 +83,26 @@ class SweepsOf : public Sweeping {
   struct Patch {  // of blocks that hang together by bonds, few enough for a matrix of their own
     std::vector<int> blocks;
     Eigen::MatrixXd inverse;  // `size` a block; zero for unknowns that are none
-    bool tied = false;        // to other patches
+  };
+  struct Tied {  // a block that hangs on other patches
+    int block, patch;
+    std::vector<Tie> ties;
   };
   struct State {
     std::vector<Forces> forces;
-    std::vector<Column> bond;
+    std::vector<Column> bond, motion;
   };
-  void find_patches();
+  std::vector<std::vector<Tie>> find_ties(const std::vector<int>& place) const;
+  void find_patches(std::vector<std::vector<Tie>> ties);
   void add_link(const ContactRows& row, int contact, const std::vector<int>& place);
   void settle(const Link& link, Forces& forces);
   void move(const Link& link, double dn, double dt);  // of what the contact moves, under so much more force
-  void relax(const Patch& patch);
-  void rebuild();  // motions_ from the forces
+  void relax(size_t tied);
+  void rebuild();  // motion_ from the forces
   void sweep(bool backwards);
   struct Change;
   Change change(const State& from, const State& last) const;
-  void carry_on(const State& last, double momentum);
+  void carry_on(const State& last, double momentum, bool anew);
   void mix(const State& from, Mixing& mixing);
 
   std::vector<Link> contacts_;
@@ -107,9 +111,9 @@ class SweepsOf : public Sweeping {
   std::vector<int> blocks_;  // of the problem, those that move
   std::vector<Patch> patches_;
   std::vector<int> patch_of_, rank_;  // of each block, and its place there
-  std::vector<std::vector<Tie>> ties_;
+  std::vector<Tied> tied_;  // patch by patch
   std::vector<Column> force_, motion_;  // of blocks_, and a zero at the end
-  std::vector<Column> bond_;  // force on a block by its ties, as its patch was last relaxed
+  std::vector<Column> bond_;  // of tied_: force on the block by its ties, as it was last relaxed
   const ContactProblem* problem_ = nullptr;
   double factor_ = 1;
 };

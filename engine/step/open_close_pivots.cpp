@@ -62,13 +62,13 @@ int OpenClose::contradictions(const ContactProblem& problem) const {
 void OpenClose::follow_pivots(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result) {
   const int closed = int(std::count(closed_.begin(), closed_.end(), 1)), many = std::max(least_many, closed / many_part);
   Chosen chosen;
-  for (int k = 0; k < tries && result.residual > tolerance; ++k) {
+  for (int k = 0; result.residual > tolerance; ++k) {
     int wrong = contradictions(problem);
     if (wrong == 0) {
       for (int step = 0; step < most_corrections && result.residual > tolerance; ++step) full_step(problem, d, result);
       wrong = contradictions(problem);
     }
-    if (wrong == 0 || wrong > many) return;
+    if (wrong == 0 || wrong > many || k == tries) return;
     const Vector before = d;
     const std::vector<double> shear = shear_;
     if (!find_states(problem, growth * many, chosen, d)) {

@@ -1,8 +1,11 @@
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <random>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include "equations/block_matrix.h"
 #include "equations/linear_solver.h"
@@ -115,8 +118,8 @@ TEST(BlockMatrix, PatternIsKeptWhileItIsTheSame) {
 TEST(BlockMatrix, PairsThatWereNotGivenHaveNoSlot) {
   BlockMatrix matrix;
   matrix.set_pattern({3, 6, 0, 6}, {{3, 0}, {2, 1}});
-  EXPECT_EQ(matrix.slot(0, 3).row, 3);
-  EXPECT_EQ(matrix.slot(3, 0).row, 3);
+  EXPECT_EQ(matrix.slot(0, 3).column, 3);
+  EXPECT_EQ(matrix.slot(3, 0).column, 3);
   EXPECT_EQ(matrix.slot(0, 1).row, -1);
   EXPECT_EQ(matrix.slot(1, 2).row, -1);  // a held block has no unknowns
   const int blocks[] = {0, 0, 0, 1, 1, 1, 1, 1, 1, 3, 3, 3, 3, 3, 3};
@@ -194,7 +197,7 @@ TEST(LinearSolver, SolvesNotCoarselyWhatThatSpoils) {
     BlockMatrix matrix;
     matrix.set_pattern({6, 6}, {{0, 1}});
     for (int block : {0, 1}) matrix.add(matrix.slot(block, block), false, all.block(6 * block, 6 * block, 6, 6));
-    matrix.add(matrix.slot(1, 0), false, all.block(6, 0, 6, 6));
+    matrix.add(matrix.slot(1, 0), false, all.block(0, 6, 6, 6));
     LinearSolver solver;
     solver.analyse(matrix);
     ASSERT_EQ(solver.factor(matrix), -1);
@@ -248,6 +251,16 @@ TEST(LinearSolver, NothingToSolve) {
   Vector x;
   solver.solve(Vector(0), x);
   EXPECT_EQ(x.size(), 0);
+}
+
+// What CHOLMOD, which is loaded later, finds under the name that compilers give parallel regions.
+TEST(LinearSolver, ParallelRegionsRunOnceInTheThreadThatComesToThem) {
+  using Region = void (*)(void*);
+  const auto run = reinterpret_cast<void (*)(Region, void*, unsigned, unsigned)>(dlsym(RTLD_DEFAULT, "GOMP_parallel"));
+  ASSERT_NE(run, nullptr);
+  std::vector<std::thread::id> threads;
+  run([](void* list) { static_cast<std::vector<std::thread::id>*>(list)->push_back(std::this_thread::get_id()); }, &threads, 4, 0);
+  EXPECT_EQ(threads, std::vector{std::this_thread::get_id()});
 }
 
 }  // namespace

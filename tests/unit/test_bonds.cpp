@@ -118,7 +118,7 @@ void turn(Model& model, double angle, const Vec2& shift) {
 }
 
 // K is minus the derivative of the forces: central differences over all unknowns, turned and not. A matrix whose
-// lower triangle alone is kept passes only where the forces' derivative is symmetric.
+// upper triangle alone is kept passes only where the forces' derivative is symmetric.
 TEST(Bonds, StiffnessIsTheDerivativeOfTheForces) {
   for (BondKind kind : {BondKind::exact, BondKind::spring})
     for (double angle : {0.0, 1.1}) {

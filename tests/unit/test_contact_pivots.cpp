@@ -23,7 +23,7 @@ BlockMatrix coupled_blocks(const std::vector<int>& sizes, const std::vector<std:
   };
   for (int b = 0; b < int(sizes.size()); ++b)
     matrix.add(matrix.slot(b, b), false, Eigen::MatrixXd(30 * Eigen::MatrixXd::Identity(sizes[b], sizes[b])));
-  for (const auto& [a, b] : pairs) matrix.add(matrix.slot(std::max(a, b), std::min(a, b)), false, part(sizes[std::max(a, b)], sizes[std::min(a, b)]));
+  for (const auto& [a, b] : pairs) matrix.add(matrix.slot(a, b), false, part(sizes[std::min(a, b)], sizes[std::max(a, b)]));
   return matrix;
 }
 
