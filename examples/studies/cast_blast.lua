@@ -1,6 +1,6 @@
 -- How far what comes of the cast blast depends on the mesh and on the strengths of single bonds: 11_cast_blast.lua on three coarse
 -- meshes, with two scatters of strength each, to their piles.
--- Run: talus sweep examples/studies/cast_blast.lua -j 2        (6 runs of four minutes)
+-- Run: talus sweep examples/studies/cast_blast.lua -j 2        (6 runs of three minutes)
 -- Results: out/cast_blast_study/results.csv and index.html, a folder for each run in out/cast_blast_study/runs.
 -- Teaches: cases, seeds, results of the scene's own.
 local talus = require "talus"
