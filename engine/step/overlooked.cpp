@@ -162,7 +162,33 @@ class Hindsight {
     }
     return least;
   }
-  // Whether a corner of `a` has come into `b`, farther than `known`.
+  // m, below the surface, half way through a block that a corner came into and left again in the step: a thin tip. As seen from the
+  // block, whose corners move affinely but for what is of second order.
+  double depth_on_way(const Vec2& from, const Vec2& to, int block) {
+    const Polyline &then = outline(block, before).corners, &now = outline(block, after).corners;
+    size_t third = 2;  // away from the line through the first two
+    for (size_t k = 3; k < then.size(); ++k)
+      if (std::abs(cross(then[1] - then[0], then[k] - then[0])) > std::abs(cross(then[1] - then[0], then[third] - then[0]))) third = k;
+    Eigen::Matrix2d sides, moved;
+    sides << then[1] - then[0], then[third] - then[0];
+    moved << now[1] - now[0], now[third] - now[0];
+    const Vec2 start = now[0] + moved * sides.inverse() * (from - then[0]), way = to - start;
+    const Bounds& box = outline(block, after).box;
+    if ((start.array().max(to.array()) < box.min.array()).any() || (start.array().min(to.array()) > box.max.array()).any()) return 0;
+    if (contains(now, start) || contains(now, to)) return 0;
+    double first = 1, last = 0;  // parts of the way
+    for (size_t k = 0; k < now.size(); ++k) {
+      const Vec2 side = now[(k + 1) % now.size()] - now[k], off = now[k] - start;
+      const double both = cross(way, side);
+      if (both == 0) continue;
+      const double part = cross(off, side) / both, along = cross(off, way) / both;
+      if (part < 0 || part > 1 || along < 0 || along > 1) continue;
+      first = std::min(first, part);
+      last = std::max(last, part);
+    }
+    return first < last ? depth(start + (first + last) / 2 * way, block, after) : 0;
+  }
+  // Whether a corner of `a` has come into `b`, or gone through it, farther than `known`.
   bool lies_in(int a, int b, double known) {
     for (const Place place : {after, judged}) {
       if (far(a, b, place)) continue;
@@ -170,6 +196,7 @@ class Hindsight {
       for (size_t v = 0; v < corners.size(); ++v) {
         const double come = depth(corners[v], b, place) - tolerance(a, b);
         if (come > known && come > depth(outline(a, before).corners[v], b, before)) return true;
+        if (place == after && 2 * depth_on_way(outline(a, before).corners[v], corners[v], b) > 2 * known + tolerance(a, b)) return true;
       }
     }
     return false;
