@@ -259,9 +259,31 @@ void vertices_on_edges(const Pair& pair, const Model& model, int bv, int be, std
   }
 }
 
+// The line of an edge at one of two corners, which the other corner can rest on.
+struct Choice {
+  int block_v, vertex, block_e, edge;
+  double gap, ahead;  // m, now and where contacts are judged
+  double from, until;  // parts of the way there between which the line keeps the corners apart; 2: to the end
+  double beyond;      // m, from the edge's nearer end, outside it
+};
+
+// Of lines that separate two corners, the one that is penetrated last: what keeps them apart from now on the longest, or one that does
+// before that ends, and to the end.
+Choice penetrated_last(std::vector<Choice>& choices, double rounding) {
+  const auto farther = [&](const Choice& a, const Choice& b) {
+    return std::abs(a.ahead - b.ahead) > rounding ? a.ahead < b.ahead : a.beyond > b.beyond;
+  };
+  const auto sooner = [&](const Choice& a, const Choice& b) { return a.until != b.until ? a.until < b.until : farther(a, b); };
+  const auto begin = choices.begin(), end = choices.end();
+  const auto later = std::partition(begin, end, [](const Choice& c) { return c.from == 0; });
+  const auto now = std::max_element(begin, later, sooner), then = std::max_element(later, end, farther);
+  if (begin == later) return *then;
+  return then != end && then->from <= now->until && now->until < then->until ? *then : *now;
+}
+
 // Corner `v` of i near corner `w` of j: one contact at most, unless edges lie along each other. Two convex corners are
 // apart while any of the lines that one of them can rest on still separates them, so of all choices that one counts
-// which is penetrated last (Shi 1988, entrance line), by where this step's velocities lead: where corners coincide, as
+// which is penetrated last (Shi 1988, entrance line), by this step's velocities: where corners coincide, as
 // all do round a node of a mesh, the gaps themselves tell nothing, and any other choice would bar a way that is free.
 void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<Contact>& found,
                       std::vector<MeetingCorners>& meeting) {
@@ -277,11 +299,6 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
   };
   for (size_t c = first; c < found.size(); ++c)
     if (is_here(found[c]) && found[c].kind == ContactKind::edge_edge) return;
-  struct Choice {
-    int block_v, vertex, block_e, edge;
-    double gap, ahead;  // m, now and where contacts are judged
-    double beyond;      // m, from the edge's nearer end, outside it
-  };
   std::vector<Choice> choices;
   // `end`: of the edge, at which the corners are to meet.
   const auto consider = [&](int bv, int vertex, int be, int e, End end) {
@@ -296,7 +313,9 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
     const double met = place_met(edge, gap, s, way), past = end == End::first ? -met : met - edge.length;
     if (ahead < 0 && past > pair.beside()) return;
     if (ahead < 0 && past < -edge.length && !pair.within(be, e, met, edge.length)) return;
-    choices.push_back({bv, vertex, be, e, gap, ahead, std::max({0.0, -s, s - edge.length})});
+    const double apart = std::max(0.0, gap - pair.meeting()), under = std::max(0.0, -gap - pair.meeting());
+    const double from = under > 0 ? under / (under + std::max(0.0, ahead)) : 0, until = ahead < 0 ? apart / (apart - ahead) : 2;
+    choices.push_back({bv, vertex, be, e, gap, ahead, from, until, std::max({0.0, -s, s - edge.length})});
   };
   consider(i, v, j, w, End::first);
   consider(i, v, j, w0, End::last);
@@ -312,10 +331,7 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
     for (const Choice& c : choices)
       if (std::abs(cross(along, pair.edge(c.block_e, c.edge).along)) > parallel_sine) return;
   }
-  const double rounding = corner_part * pair.least();
-  const Choice best = *std::max_element(choices.begin(), choices.end(), [&](const Choice& a, const Choice& b) {
-    return std::abs(a.ahead - b.ahead) > rounding ? a.ahead < b.ahead : a.beyond > b.beyond;
-  });
+  const Choice best = penetrated_last(choices, corner_part * pair.least());
   if (best.gap > pair.reach() || best.gap < pair.deepest()) return;
   found.push_back(pair.contact(best.block_v, best.vertex, best.block_e, best.edge, best.gap, true));
 }

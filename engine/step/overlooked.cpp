@@ -162,42 +162,57 @@ class Hindsight {
     }
     return least;
   }
-  // m, below the surface, half way through a block that a corner came into and left again in the step: a thin tip. As seen from the
-  // block, whose corners move affinely but for what is of second order.
-  double depth_on_way(const Vec2& from, const Vec2& to, int block) {
+  // Carries points as a block carried them in the step: affinely, but for what is of second order.
+  struct Carried {
+    Vec2 from, to;
+    Eigen::Matrix2d by;
+    Vec2 operator()(const Vec2& point) const { return to + by * (point - from); }
+  };
+  Carried carried(int block) {
     const Polyline &then = outline(block, before).corners, &now = outline(block, after).corners;
-    size_t third = 2;  // away from the line through the first two
+    size_t third = 2;  // the farthest from the line through the first two
+    const auto area = [&](size_t k) { return std::abs(cross(then[1] - then[0], then[k] - then[0])); };
     for (size_t k = 3; k < then.size(); ++k)
-      if (std::abs(cross(then[1] - then[0], then[k] - then[0])) > std::abs(cross(then[1] - then[0], then[third] - then[0]))) third = k;
+      if (area(k) > area(third)) third = k;
     Eigen::Matrix2d sides, moved;
     sides << then[1] - then[0], then[third] - then[0];
     moved << now[1] - now[0], now[third] - now[0];
-    const Vec2 start = now[0] + moved * sides.inverse() * (from - then[0]), way = to - start;
-    const Bounds& box = outline(block, after).box;
-    if ((start.array().max(to.array()) < box.min.array()).any() || (start.array().min(to.array()) > box.max.array()).any()) return 0;
-    if (contains(now, start) || contains(now, to)) return 0;
-    double first = 1, last = 0;  // parts of the way
-    for (size_t k = 0; k < now.size(); ++k) {
-      const Vec2 side = now[(k + 1) % now.size()] - now[k], off = now[k] - start;
+    return {then[0], now[0], moved * sides.inverse()};
+  }
+  // m, below the face by which a corner came into a block that it left again in the step, on this way in the block's own frame:
+  // through a thin tip. What passes a corner of the block nearer than `allowed` passes it by.
+  double gone_through(const Vec2& start, const Vec2& end, int block, double allowed) {
+    const auto& [corners, box] = outline(block, after);
+    if ((start.array().max(end.array()) < box.min.array()).any() || (start.array().min(end.array()) > box.max.array()).any()) return 0;
+    if (contains(corners, start) || contains(corners, end)) return 0;
+    const Vec2 way = end - start;
+    double first = 1, below = 0;  // part of the way
+    for (int k = 0; k < int(corners.size()); ++k) {
+      const Vec2 side = corners[model_.next_vertex(block, k)] - corners[k], off = corners[k] - start;
       const double both = cross(way, side);
       if (both == 0) continue;
       const double part = cross(off, side) / both, along = cross(off, way) / both;
-      if (part < 0 || part > 1 || along < 0 || along > 1) continue;
-      first = std::min(first, part);
-      last = std::max(last, part);
+      if (part < 0 || part >= first || along < 0 || along > 1) continue;
+      first = part;
+      const bool by = std::min(along, 1 - along) * side.norm() <= allowed;
+      below = by || !search_.surface().free_edge[model_.shapes[block].vertex_begin + k] ? 0 : cross(side, end - corners[k]) / side.norm();
     }
-    return first < last ? depth(start + (first + last) / 2 * way, block, after) : 0;
+    return below;
   }
   // Whether a corner of `a` has come into `b`, or gone through it, farther than `known`.
   bool lies_in(int a, int b, double known) {
     for (const Place place : {after, judged}) {
       if (far(a, b, place)) continue;
-      const Polyline& corners = outline(a, place).corners;
+      const Polyline &then = outline(a, before).corners, &corners = outline(a, place).corners;
+      const double allowed = tolerance(a, b);
       for (size_t v = 0; v < corners.size(); ++v) {
-        const double come = depth(corners[v], b, place) - tolerance(a, b);
-        if (come > known && come > depth(outline(a, before).corners[v], b, before)) return true;
-        if (place == after && 2 * depth_on_way(outline(a, before).corners[v], corners[v], b) > 2 * known + tolerance(a, b)) return true;
+        const double come = depth(corners[v], b, place) - allowed;
+        if (come > known && come > depth(then[v], b, before)) return true;
       }
+      if (place == judged) continue;
+      const Carried with = carried(b);
+      for (size_t v = 0; v < corners.size(); ++v)
+        if (gone_through(with(then[v]), corners[v], b, allowed) > known + allowed) return true;
     }
     return false;
   }

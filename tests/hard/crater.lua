@@ -67,3 +67,4 @@ talus.check.below("crater: part of the steps that were cut", seen.cut_steps/seen
 talus.check.above("crater: mean step, s", seen.mean_dt, 2e-4)
 talus.check.below("crater: largest gain of energy in a step over kinetic + stored", gain, 1e-6)
 talus.check.below("crater: energy at the end over the start", before.total/start, 1 + 1e-6)
+talus.check.below("crater: deepest overlap at the end over √area", tools.overlap(sim), 0.05)

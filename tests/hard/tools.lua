@@ -89,6 +89,48 @@ function tools.fastest(sim)
   return most
 end
 
+-- Largest distance along a normal of `a` by which a convex polygon is apart from another, m; negative: none keeps them apart.
+local function along_normals(a, b)
+  local most = -math.huge
+  for k, p in ipairs(a) do
+    local q = a[k % #a + 1]
+    local x, y = q[1] - p[1], q[2] - p[2]
+    local least = math.huge
+    for _, r in ipairs(b) do least = math.min(least, (r[1] - p[1])*y - (r[2] - p[2])*x) end
+    most = math.max(most, least/math.sqrt(x*x + y*y))
+  end
+  return most
+end
+
+-- How far two convex polygons are apart, m; negative: how deep they overlap.
+function tools.apart(a, b) return math.max(along_normals(a, b), along_normals(b, a)) end
+
+-- Of convex blocks without bonds: the deepest overlap of two, as a part of the √area of the smaller.
+function tools.overlap(sim)
+  local outlines, area, fixed = sim.blocks:field "vertices", sim.blocks:field "area", sim.blocks:field "fixed"
+  local boxes, order = {}, {}
+  for i, outline in ipairs(outlines) do
+    local box = { math.huge, math.huge, -math.huge, -math.huge }
+    for _, p in ipairs(outline) do
+      box = { math.min(box[1], p[1]), math.min(box[2], p[2]), math.max(box[3], p[1]), math.max(box[4], p[2]) }
+    end
+    boxes[i], order[i] = box, i
+  end
+  table.sort(order, function(i, j) return boxes[i][1] < boxes[j][1] end)
+  local most = 0
+  for n, i in ipairs(order) do
+    for m = n + 1, #order do
+      local j = order[m]
+      if boxes[j][1] > boxes[i][3] then break end
+      if boxes[i][2] < boxes[j][4] and boxes[j][2] < boxes[i][4] and fixed[i]*fixed[j] == 0 then
+        local depth = -tools.apart(outlines[i], outlines[j])/math.sqrt(math.min(area[i], area[j]))
+        most = math.max(most, depth)
+      end
+    end
+  end
+  return most
+end
+
 -- A convex polygon of `corners` corners at `at`, its size (mean diameter) `size`, corners on an ellipse of the given aspect.
 function tools.stone(random, at, size, corners, aspect)
   local turn, points = 2*math.pi*random(), {}
