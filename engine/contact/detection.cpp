@@ -191,6 +191,36 @@ void bond_corners(const Model& model, std::unordered_set<std::int64_t>& bonded) 
     if (joint.state == JointState::failed) bonded.erase(pair_key(joint.a, joint.b));
 }
 
+// Lends the blocks the mean velocities of a step that led to `ends`.
+class OnTheWay {
+ public:
+  OnTheWay(Model& model, const std::vector<BlockState>& ends, double dt) : model_(model), lent_(!ends.empty()) {
+    if (!lent_) return;
+    for (size_t b = 0; b < ends.size(); ++b) {
+      BlockState& from = model.blocks[b];
+      const BlockState& to = ends[b];
+      const double length = model.shapes[b].length;
+      kept_.push_back(from.velocity);
+      const Vec2 shift = (to.shift - from.shift) / dt;
+      const Vec3 strain = (to.strain - from.strain) * length / dt;
+      const double turn = (to.angle - from.angle) * length / dt;
+      for (int k = 0; k < first_order_dofs; ++k) from.velocity[k] = k < 2 ? shift[k] : k == 2 ? turn : strain[k - 3];
+      for (int k = first_order_dofs; k < model.shapes[b].rate_count(); ++k)
+        from.velocity[k] = (to.bend[k - first_order_dofs] - from.bend[k - first_order_dofs]) / dt;
+    }
+  }
+  OnTheWay(const OnTheWay&) = delete;
+  OnTheWay& operator=(const OnTheWay&) = delete;
+  ~OnTheWay() {
+    for (size_t b = 0; lent_ && b < kept_.size(); ++b) model_.blocks[b].velocity = kept_[b];
+  }
+
+ private:
+  Model& model_;
+  bool lent_;
+  std::vector<std::array<double, max_dofs>> kept_;
+};
+
 }  // namespace
 
 void ContactSearch::find_surface(const Model& model) {
@@ -283,19 +313,23 @@ std::vector<std::pair<int, int>> ContactSearch::near(const Model& model, const s
 
 bool ContactSearch::bonded(int a, int b) const { return bonded_.contains(pair_key(a, b)); }
 
-void ContactSearch::update(Model& model, double dt) {
+void ContactSearch::update(Model& model, double dt, const std::vector<BlockState>& seen) {
   const int intact = intact_joints_;
   find_surface(model);
   if (model.time > time_) {
     last_dt_ = model.time - time_;
     time_ = model.time;
   }
-  if (unmoved(model, dt) && intact == intact_joints_) return;
+  if (unmoved(model, dt) && intact == intact_joints_ && seen.empty()) return;
   std::vector<Contact> now;
   std::vector<MeetingCorners> meeting;
-  near_ = near(model, model.blocks, dt);
-  for (const auto& [a, b] : near_)
-    if (!bonded(a, b)) find_contacts(model, surface_, a, b, dt, now, meeting);
+  {
+    const OnTheWay lent(model, seen, dt);
+    near_ = near(model, model.blocks, dt);
+    for (const auto& [a, b] : near_)
+      if (!bonded(a, b)) find_contacts(model, surface_, a, b, dt, now, meeting);
+  }
+  if (!seen.empty()) seen_.clear();  // another search than that of these velocities
   drop_points(model, meeting, bonded_, now);
   std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
   carry_over(model, dt, now);

@@ -39,7 +39,8 @@ class ContactSearch {
  public:
   // Replaces the contacts of what is awake by the candidates of the next step, in order of (vertex, edge). Contacts that go
   // on keep their state; one that hands over to a neighbouring edge or to its partner's vertex passes it on.
-  void update(Model& model, double dt);
+  // `seen`, if any: where a solution of the step led; what that did not know of is looked for on those ways.
+  void update(Model& model, double dt, const std::vector<BlockState>& seen = {});
   // Pairs of blocks that came near each other in the last search.
   const std::vector<std::pair<int, int>>& near() const { return near_; }
   // Those that would at other velocities.

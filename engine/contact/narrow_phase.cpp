@@ -45,7 +45,8 @@ class Pair {
         judged_(dt + judged_ahead(model.scene.numerics, dt)),
         least_(std::min(model.shapes[i].length, model.shapes[j].length)),
         reach_(search_margin * least_ + way),
-        fast_(way > beside()) {}
+        fast_(way > beside()),
+        turn_(judged_ * (spin(i) - spin(j))) {}
 
   int i() const { return i_; }
   int j() const { return j_; }
@@ -73,6 +74,11 @@ class Pair {
   // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both sides of the body lead away.
   bool can_rest(int block, int v, const Vec2& n) const {
     return leads_away(ahead(block, v), n) && leads_away(behind(block, v), n);
+  }
+  // Or will, as the blocks turn: it is above the face now.
+  bool will_rest(int block, int v, const Vec2& n) const {
+    if (std::abs(turn_) < parallel_sine) return false;
+    return can_rest(block, v, Eigen::Rotation2Dd(block == i_ ? -turn_ : turn_) * n);
   }
 
   Contact contact(int block_v, int v, int block_e, int e, double gap, bool corner) const {
@@ -160,6 +166,7 @@ class Pair {
   }
 
  private:
+  double spin(int block) const { return model_.blocks[block].velocity[2] / model_.shapes[block].length; }  // rad/s
   // The face of a trace keeps its property where blocks of its region slide on, past those that lay against it at first.
   int property_of(const Contact& c) const {
     if (c.joint >= 0) return model_.joints[c.joint].property;
@@ -196,6 +203,7 @@ class Pair {
   int i_, j_;
   double dt_, judged_, least_, reach_;  // s, s, m, m; judged_: from the start to the places that contacts are judged at
   bool fast_;                           // may pass an edge by in the step
+  double turn_;                         // rad, of i as seen from j until contacts are judged
 };
 
 struct Candidate {
@@ -252,7 +260,7 @@ void vertices_on_edges(const Pair& pair, const Model& model, int bv, int be, std
       if (!pair.within(be, e, s, edge.length)) continue;
       if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) continue;
       if (gap > -pair.flush() && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
-      if (pair.can_rest(bv, v, edge.normal)) candidates.push_back({e, gap});
+      if (pair.can_rest(bv, v, edge.normal) || (gap > 0 && pair.will_rest(bv, v, edge.normal))) candidates.push_back({e, gap});
     }
     drop_deeper(pair, be, candidates);
     for (const Candidate& c : candidates) found.push_back(pair.contact(bv, v, be, c.edge, c.gap, false));

@@ -111,14 +111,15 @@ StepReport Stepper::dynamic_step(double most) {
 
     Vector d;
     IslandResult result;
-    std::vector<BlockState> moved;
+    std::vector<BlockState> moved, seen;  // where the step leads; and where it led before it went past contacts
+    bool past = false;
     double released = 0;  // J/m, by bonds that fail in this step
     std::optional<BridgeBooking> bridge_booking;
     for (;; attempt.again()) {
       // 2. Candidate pairs of vertices and edges, with the state of those that go on.
       if (plan_.contacts) {
         PartTimer timer(totals_, "contact search");
-        search_.update(model_, dt);
+        search_.update(model_, dt, seen);
       }
       if (fracture_) {
         released = released_ - contacts_of_events();
@@ -144,24 +145,28 @@ StepReport Stepper::dynamic_step(double most) {
       report.displacement = largest_displacement(model_, moved);
 
       // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
-      if (!fracture_ || step_size_.too_far(report.displacement) || !breaks(moved, dt, report)) break;
+      if (step_size_.too_far(report.displacement)) break;
+      if (fracture_ && breaks(moved, dt, report)) continue;
+      // 5. Contacts that it went past: once again with those on its way.
+      past = plan_.contacts && step_size_.may_halve(dt) && overlooks(dt, report.displacement, d, moved);
+      if (!past || !seen.empty()) break;
+      seen = moved;
     }
 
-    // 5. Not settled, or moved too far: everything as it was; again with a smaller step.
+    // 6. Not settled, or moved too far: everything as it was; again with a smaller step.
     if (!result.converged || step_size_.too_far(report.displacement)) {
       step_size_.cut(dt, result.converged ? report.displacement : 0);
       if (step_size_.next(model_.time) < step_size_.least()) give_up(result, dt);
       ++totals_.cuts;
       continue;
     }
-    // Contacts that it went past: shorter, unless it is as short as may be.
-    if (plan_.contacts && step_size_.may_halve(dt) && overlooks(dt, report.displacement, d, moved)) {
+    if (past) {
       step_size_.halve(dt);
       ++totals_.cuts;
       continue;
     }
 
-    // 6. The step is accepted: geometry, velocities, contact and joint states.
+    // 7. The step is accepted: geometry, velocities, contact and joint states.
     const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved, dt) : std::vector<double>{};
     accept(std::move(moved), scheme, d);
     count(result);
