@@ -191,11 +191,10 @@ void bond_corners(const Model& model, std::unordered_set<std::int64_t>& bonded) 
     if (joint.state == JointState::failed) bonded.erase(pair_key(joint.a, joint.b));
 }
 
-// Lends the blocks the mean velocities of a step that led to `ends`.
+// Lends the blocks the mean velocities of a step that led to `ends`, if any.
 class OnTheWay {
  public:
-  OnTheWay(Model& model, const std::vector<BlockState>& ends, double dt) : model_(model), lent_(!ends.empty()) {
-    if (!lent_) return;
+  OnTheWay(Model& model, const std::vector<BlockState>& ends, double dt) : model_(model) {
     for (size_t b = 0; b < ends.size(); ++b) {
       BlockState& from = model.blocks[b];
       const BlockState& to = ends[b];
@@ -212,12 +211,11 @@ class OnTheWay {
   OnTheWay(const OnTheWay&) = delete;
   OnTheWay& operator=(const OnTheWay&) = delete;
   ~OnTheWay() {
-    for (size_t b = 0; lent_ && b < kept_.size(); ++b) model_.blocks[b].velocity = kept_[b];
+    for (size_t b = 0; b < kept_.size(); ++b) model_.blocks[b].velocity = kept_[b];
   }
 
  private:
   Model& model_;
-  bool lent_;
   std::vector<std::array<double, max_dofs>> kept_;
 };
 

@@ -33,6 +33,8 @@ struct Edge {
   double position(const Vec2& p) const { return along.dot(p - from); }
 };
 
+double spin(const Model& model, int block) { return model.blocks[block].velocity[2] / model.shapes[block].length; }  // rad/s
+
 class Pair {
  public:
   // way: m, of the pair past each other in the step, at most.
@@ -46,7 +48,7 @@ class Pair {
         least_(std::min(model.shapes[i].length, model.shapes[j].length)),
         reach_(search_margin * least_ + way),
         fast_(way > beside()),
-        turn_(judged_ * (spin(i) - spin(j))) {}
+        turn_(judged_ * (spin(model, i) - spin(model, j))) {}
 
   int i() const { return i_; }
   int j() const { return j_; }
@@ -166,7 +168,6 @@ class Pair {
   }
 
  private:
-  double spin(int block) const { return model_.blocks[block].velocity[2] / model_.shapes[block].length; }  // rad/s
   // The face of a trace keeps its property where blocks of its region slide on, past those that lay against it at first.
   int property_of(const Contact& c) const {
     if (c.joint >= 0) return model_.joints[c.joint].property;
@@ -270,9 +271,9 @@ void vertices_on_edges(const Pair& pair, const Model& model, int bv, int be, std
 // The line of an edge at one of two corners, which the other corner can rest on.
 struct Choice {
   int block_v, vertex, block_e, edge;
-  double gap, ahead;  // m, now and where contacts are judged
+  double gap, ahead;   // m, now and where contacts are judged
   double from, until;  // parts of the way there between which the line keeps the corners apart; 2: to the end
-  double beyond;      // m, from the edge's nearer end, outside it
+  double beyond;       // m, from the edge's nearer end, outside it
 };
 
 // Of lines that separate two corners, the one that is penetrated last: what keeps them apart from now on the longest, or one that does
@@ -368,10 +369,10 @@ void drop_twins(const Pair& pair, size_t first, std::vector<Contact>& found) {
 
 void find_contacts(const Model& model, const Surface& surface, int a, int b, double dt, std::vector<Contact>& found,
                    std::vector<MeetingCorners>& meeting) {
-  const auto spin = [&](int k) { return std::abs(model.blocks[k].velocity[2]) / model.shapes[k].length * model.shapes[k].radius; };
+  const auto rim = [&](int k) { return std::abs(spin(model, k)) * model.shapes[k].radius; };
   const Vec2 approach(model.blocks[a].velocity[0] - model.blocks[b].velocity[0],
                       model.blocks[a].velocity[1] - model.blocks[b].velocity[1]);
-  const Pair pair(model, surface, a, b, 1.5 * dt * (approach.norm() + spin(a) + spin(b)), dt);
+  const Pair pair(model, surface, a, b, 1.5 * dt * (approach.norm() + rim(a) + rim(b)), dt);
   const size_t first = found.size();
   vertices_on_edges(pair, model, a, b, found);
   vertices_on_edges(pair, model, b, a, found);

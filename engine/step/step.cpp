@@ -150,7 +150,7 @@ StepReport Stepper::dynamic_step(double most) {
       // 5. Contacts that it went past: once again with those on its way.
       past = plan_.contacts && step_size_.may_halve(dt) && overlooks(dt, report.displacement, d, moved);
       if (!past || !seen.empty()) break;
-      seen = moved;
+      seen = std::move(moved);
     }
 
     // 6. Not settled, or moved too far: everything as it was; again with a smaller step.
