@@ -98,7 +98,7 @@ StepReport Stepper::dynamic_step(double most) {
     const Scheme scheme = this->scheme(dt);
     if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
-    // Another step than the last: y stays, as far as bodies deform.
+    // Another step than the last: y stays, as far as bodies deform or lie on something.
     moved_y_ = scheme.bond_ahead - ledger_.ahead;
     if (moved_y_ != 0) {
       attempt.keep_blocks();
@@ -416,10 +416,15 @@ std::vector<Vec2> Stepper::reactions() {
 void Stepper::change_step(double ahead) {
   const double before = kinetic_energy(model_, 0) + elastic_energy(0);
   vertex_before_ = model_.vertex;
-  model_.blocks = keep_deformation(model_, ledger_.ahead - ahead);
+  std::vector<BlockState> kept = keep_stored(model_, ledger_.ahead - ahead);
+  double gravity = 0;
+  for (int b = 0; b < int(kept.size()); ++b)
+    gravity += model_.mass(b) * model_.scene.gravity.dot(kept[size_t(b)].shift - model_.blocks[size_t(b)].shift);
+  model_.blocks = std::move(kept);
   model_.place_vertices();
   ledger_.ahead = ahead;
-  ledger_.numerical_flow += before - kinetic_energy(model_, 0) - elastic_energy(0);
+  ledger_.gravity_work += gravity;
+  ledger_.numerical_flow += gravity + before - kinetic_energy(model_, 0) - elastic_energy(0);
 }
 
 void Stepper::begin_ledger() {

@@ -1,5 +1,8 @@
 #include "step/step_change.h"
 
+#include <cmath>
+#include <numeric>
+
 #include "equations/block_terms.h"
 #include "fracture/cracks.h"
 
@@ -11,7 +14,8 @@ struct Body {
   double mass = 0, inertia = 0;        // kg/m, kg m
   Vec2 centroid = Vec2::Zero(), velocity = Vec2::Zero();
   double spin = 0;                     // rad/s
-  bool held = false;                   // by a held block or along an edge: it does not fly
+  bool held = false;                   // by a held block or along an edge, or it lies on something: it does not fly
+  void hold() { held = true, velocity.setZero(), spin = 0; }
 };
 
 double own_inertia(const Model& model, int b, const BlockState& state) {
@@ -45,7 +49,7 @@ std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& b
   for (Body& body : bodies) body.spin /= body.inertia;
   for (const EdgeFixity& edge : model.edge_fixities) bodies[size_t(body_of[size_t(edge.block)])].held = true;
   for (Body& body : bodies)
-    if (body.held) body.velocity = Vec2::Zero(), body.spin = 0;
+    if (body.held) body.hold();
   return bodies;
 }
 
@@ -56,18 +60,46 @@ void deform(const BlockShape& shape, double seconds, BlockState& state) {
   for (size_t k = first_order_dofs; k < size_t(shape.rate_count()); ++k) state.bend[k - first_order_dofs] += seconds * v[k];
 }
 
+void move(const BlockShape& shape, double seconds, const Vec2& velocity, double spin, BlockState& state) {
+  state.shift += seconds * velocity;
+  state.centroid = shape.reference_centroid + state.shift;
+  state.angle += seconds * spin;
+}
+
+// Of a block's length. What is pressed and moves no farther than that as the step changes is as good as at rest: what its contacts
+// hold counts more than where it flies.
+constexpr double as_at_rest = 1e-6;
+
+bool slow(const BlockShape& shape, const BlockState& state, double seconds) {
+  const auto& v = state.velocity;
+  return std::abs(seconds) * (std::hypot(v[0], v[1]) + std::abs(v[2]) * shape.radius / shape.length) <= as_at_rest * shape.length;
+}
+
+// Per body, whether it lies on something, slow as above in all its blocks.
+std::vector<bool> find_lying(const Model& model, double seconds, const std::vector<int>& body_of) {
+  std::vector<bool> lying(model.blocks.size());
+  for (size_t k = size_t(model.sleeping_contacts); k < model.contacts.size(); ++k)
+    if (const Contact& c = model.contacts[k]; c.normal_force > 0)
+      for (int b : {c.i, c.j}) lying[size_t(body_of[size_t(b)])] = true;
+  for (size_t b = 0; b < model.blocks.size(); ++b)
+    if (!slow(model.shapes[b], model.blocks[b], seconds)) lying[size_t(body_of[b])] = false;
+  return lying;
+}
+
 // Blocks of bodies against each other. What has moved outwards turns more slowly.
-void move_apart(const Model& model, double seconds, std::vector<BlockState>& blocks) {
-  const std::vector<int> body_of = model.fragment.empty() ? find_fragments(model) : model.fragment;
-  const std::vector<Body> before = bodies_of(model, model.blocks, body_of);
+void move_apart(const Model& model, double seconds, const std::vector<int>& body_of, const std::vector<bool>& lying,
+                std::vector<BlockState>& blocks) {
+  std::vector<Body> before = bodies_of(model, model.blocks, body_of);
+  for (size_t body = 0; body < before.size(); ++body)
+    if (lying[body]) before[body].hold();
   for (size_t b = 0; b < blocks.size(); ++b) {
     const BlockShape& shape = model.shapes[b];
     const Body& body = before[size_t(body_of[b])];
     if (shape.dofs == 0 || model.sleeps(int(b))) continue;
     BlockState& state = blocks[b];
-    state.shift += seconds * (Vec2(state.velocity[0], state.velocity[1]) - body.velocity - body.spin * perp(Vec2(state.centroid - body.centroid)));
-    state.centroid = shape.reference_centroid + state.shift;
-    state.angle += seconds * (state.velocity[2] / shape.length - body.spin);
+    const Vec2 velocity(state.velocity[0], state.velocity[1]);
+    move(shape, seconds, velocity - body.velocity - body.spin * perp(Vec2(state.centroid - body.centroid)),
+         state.velocity[2] / shape.length - body.spin, state);
   }
   const std::vector<Body> after = bodies_of(model, blocks, body_of);
   for (size_t b = 0; b < blocks.size(); ++b) {
@@ -81,17 +113,31 @@ void move_apart(const Model& model, double seconds, std::vector<BlockState>& blo
   }
 }
 
+std::vector<int> bodies_in(const Model& model) {
+  if (!model.joints.empty()) return model.fragment.empty() ? find_fragments(model) : model.fragment;
+  std::vector<int> each(model.blocks.size());
+  std::iota(each.begin(), each.end(), 0);
+  return each;
+}
+
 }  // namespace
 
-std::vector<BlockState> keep_deformation(const Model& model, double seconds) {
+std::vector<BlockState> keep_stored(const Model& model, double seconds) {
   std::vector<BlockState> blocks = model.blocks;
+  const std::vector<int> body_of = bodies_in(model);
+  const std::vector<bool> lying = find_lying(model, seconds, body_of);
   for (size_t b = 0; b < blocks.size(); ++b) {
-    if (model.shapes[b].dofs == 0 || model.sleeps(int(b))) continue;
-    deform(model.shapes[b], seconds, blocks[b]);
-    if (model.joints.empty() && blocks[b].velocity[2] != 0)
-      blocks[b].velocity[2] *= own_inertia(model, int(b), model.blocks[b]) / own_inertia(model, int(b), blocks[b]);
+    const BlockShape& shape = model.shapes[b];
+    BlockState& state = blocks[b];
+    if (shape.dofs == 0 || model.sleeps(int(b))) continue;
+    deform(shape, seconds, state);
+    if (!model.joints.empty()) continue;
+    if (lying[b])
+      move(shape, seconds, Vec2(state.velocity[0], state.velocity[1]), state.velocity[2] / shape.length, state);
+    else if (state.velocity[2] != 0)
+      state.velocity[2] *= own_inertia(model, int(b), model.blocks[b]) / own_inertia(model, int(b), state);
   }
-  if (!model.joints.empty()) move_apart(model, seconds, blocks);
+  if (!model.joints.empty()) move_apart(model, seconds, body_of, lying, blocks);
   return blocks;
 }
 

@@ -7,6 +7,7 @@
 #include "small_scene.h"
 #include "step/energy_terms.h"
 #include "step/simulation.h"
+#include "step/step_change.h"
 
 namespace talus {
 namespace {
@@ -208,6 +209,25 @@ TEST(Ledger, StaticLoadsGrowFromNothing) {
               1e-6);  // ½ F (F l / E A); the support keeps its end from thinning: a little less
   EXPECT_NEAR(e.strain, e.external, 1e-4 * e.external);
   EXPECT_NEAR(e.unexplained, 0, 1e-4 * e.external);
+}
+
+// What lies on something and hardly moves keeps y where the step changes, so that its contacts and its weight hold what they held; what
+// moves faster, and what flies, keeps X.
+TEST(Ledger, AStepOfAnotherLengthKeepsWhatPressedContactsHold) {
+  Simulation simulation(on_floor(0.3, {0, 0}, 0));
+  simulation.step();
+  Model& model = simulation.model;
+  ASSERT_GT(model.contacts[0].normal_force, 0);
+  const auto moved = [&](double velocity, double force) {
+    for (Contact& c : model.contacts) c.normal_force = force;
+    model.blocks[0].velocity = {0, velocity, velocity};
+    const BlockState kept = keep_stored(model, -0.01)[0];
+    return std::pair(kept.shift.y() - model.blocks[0].shift.y(), kept.angle - model.blocks[0].angle);
+  };
+  EXPECT_NEAR(moved(1e-5, 1).first, -1e-7, 1e-20);
+  EXPECT_NEAR(moved(1e-5, 1).second, -1e-7, 1e-20);
+  EXPECT_EQ(moved(1e-3, 1).first, 0);
+  EXPECT_EQ(moved(1e-5, 0).first, 0);
 }
 
 TEST(EnergyTerms, OnlyWhatTheSceneCanHave) {
