@@ -50,7 +50,8 @@ class Hindsight {
   bool overlaps() {
     for (size_t k = 0; k < pairs_.size(); ++k) {
       const auto [a, b] = pairs_[k];
-      if (lies_in(a, b, known_[k]) || lies_in(b, a, known_[k])) return true;
+      for (const auto& [corners, block] : {BlockPair(a, b), BlockPair(b, a)})
+        if (comes_in(corners, block, known_[k]) || goes_through(corners, block, known_[k])) return true;
     }
     return false;
   }
@@ -199,21 +200,26 @@ class Hindsight {
     }
     return below;
   }
-  // Whether a corner of `a` has come into `b`, or gone through it, farther than `known`.
-  bool lies_in(int a, int b, double known) {
+  // Whether a corner of `a` has come into `b` farther than `known`.
+  bool comes_in(int a, int b, double known) {
     for (const Place place : {after, judged}) {
       if (far(a, b, place)) continue;
       const Polyline &then = outline(a, before).corners, &corners = outline(a, place).corners;
-      const double allowed = tolerance(a, b);
       for (size_t v = 0; v < corners.size(); ++v) {
-        const double come = depth(corners[v], b, place) - allowed;
+        const double come = depth(corners[v], b, place) - tolerance(a, b);
         if (come > known && come > depth(then[v], b, before)) return true;
       }
-      if (place == judged) continue;
-      const Carried with = carried(b);
-      for (size_t v = 0; v < corners.size(); ++v)
-        if (gone_through(with(then[v]), corners[v], b, allowed) > known + allowed) return true;
     }
+    return false;
+  }
+  // Whether a corner of `a` has gone right through `b`, and lies farther below the face by which it came.
+  bool goes_through(int a, int b, double known) {
+    if (far(a, b, after)) return false;
+    const Polyline &then = outline(a, before).corners, &corners = outline(a, after).corners;
+    const double allowed = tolerance(a, b);
+    const Carried with = carried(b);
+    for (size_t v = 0; v < corners.size(); ++v)
+      if (gone_through(with(then[v]), corners[v], b, allowed) > known + allowed) return true;
     return false;
   }
 

@@ -39,7 +39,7 @@ class Attempt {
     again();
     if (!blocks_.empty()) {
       model_.blocks = std::move(blocks_);
-      model_.place_vertices();
+      model_.vertex = std::move(vertex_);
     }
     ledger_ = before_;
     if (fracture_) fracture_->heal();
@@ -48,7 +48,12 @@ class Attempt {
   Attempt(const Attempt&) = delete;
   Attempt& operator=(const Attempt&) = delete;
   void keep() { kept_ = true; }
-  void keep_blocks() { blocks_ = model_.blocks; }
+  void keep_places() {
+    blocks_ = model_.blocks;
+    vertex_ = model_.vertex;
+  }
+  const std::vector<Vec2>& vertex_before() const { return blocks_.empty() ? model_.vertex : vertex_; }
+  double ahead_before() const { return before_.ahead; }
   void again() {  // the same step, with the bonds that have failed in it
     model_.contacts.resize(size_t(model_.sleeping_contacts));
     model_.contacts.insert(model_.contacts.end(), contacts_.begin(), contacts_.end());
@@ -60,7 +65,8 @@ class Attempt {
   const Ledger before_;
   std::vector<Contact>& contacts_;
   Fracture* fracture_;
-  std::vector<BlockState> blocks_;  // where the step has moved them before it is solved
+  std::vector<BlockState> blocks_;  // and vertices: before X was moved as the step changed, or empty
+  std::vector<Vec2> vertex_;
   std::vector<std::pair<size_t, std::array<double, max_dofs>>> held_;
   bool kept_ = false;
 };
@@ -99,9 +105,8 @@ StepReport Stepper::dynamic_step(double most) {
     if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
     // Another step than the last: y stays, as far as bodies deform or lie on something.
-    moved_y_ = scheme.bond_ahead - ledger_.ahead;
-    if (moved_y_ != 0) {
-      attempt.keep_blocks();
+    if (scheme.bond_ahead != ledger_.ahead) {
+      attempt.keep_places();
       change_step(scheme.bond_ahead);
     }
     // 1. Loads, fixities and prescribed motions belong to this step's times; see Scheme.
@@ -168,7 +173,7 @@ StepReport Stepper::dynamic_step(double most) {
 
     // 7. The step is accepted: geometry, velocities, contact and joint states.
     const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved, dt) : std::vector<double>{};
-    accept(std::move(moved), scheme, d);
+    accept(std::move(moved), scheme, d, contacts_at_start(attempt.vertex_before(), attempt.ahead_before(), dt));
     count(result);
     attempt.keep();
     if (fracture_) {
@@ -381,15 +386,19 @@ bool Stepper::all_still() const {
   return true;
 }
 
-void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d) {
+std::optional<ContactBooking> Stepper::contacts_at_start(const std::vector<Vec2>& vertex_before, double ahead_before, double dt) {
+  PartTimer timer(totals_, "update");
+  if (all_still()) return {};
+  return ContactBooking(model_, vertex_before, ahead_before, dt);
+}
+
+void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking) {
   PartTimer timer(totals_, "update");
   const bool motion = scheme.step_v > 0;
-  if (motion && all_still()) {  // nothing to book
+  if (motion && !booking) {
     ledger_.ahead = scheme.bond_ahead;
     return;
   }
-  std::optional<ContactBooking> booking;
-  if (motion) booking.emplace(model_, moved_y_ != 0 ? vertex_before_ : model_.vertex, ledger_.ahead - moved_y_, scheme.dt);
   if (motion)  // nothing of it is work
     for (size_t b = 0; b < moved.size(); ++b)
       if (islands_.rest(int(b)) != Rest::moves) model_.blocks[b].velocity.fill(0);
@@ -415,7 +424,6 @@ std::vector<Vec2> Stepper::reactions() {
 // What the way from X to y holds is the integrator's.
 void Stepper::change_step(double ahead) {
   const double before = kinetic_energy(model_, 0) + elastic_energy(0);
-  vertex_before_ = model_.vertex;
   std::vector<BlockState> kept = keep_stored(model_, ledger_.ahead - ahead);
   double gravity = 0;
   for (int b = 0; b < int(kept.size()); ++b)

@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -102,7 +103,10 @@ class Stepper {
   void keep_rest(std::vector<BlockState>& moved);
   void count(const IslandResult& result);
   bool all_still() const;
-  void accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d);
+  // For the ledger; none where nothing has moved in the step, and nothing did before it. `vertex_before`, `ahead_before` (s): see there.
+  std::optional<ContactBooking> contacts_at_start(const std::vector<Vec2>& vertex_before, double ahead_before, double dt);
+  // `booking`: of a step in motion.
+  void accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking = {});
   [[noreturn]] void give_up(const OpenCloseResult& result, double dt) const;
   int culprit(const Equilibrium& search) const;  // the block that is named when there is no equilibrium
 
@@ -131,8 +135,6 @@ class Stepper {
   int short_increments_ = 0;  // of load, one after the other
   double pace_ = 0;           // 1/s, at which utilisations came up with the last of them
   long revision_ = -1;
-  double moved_y_ = 0;  // s, by which y would have moved along the velocities as the step changed
-  std::vector<Vec2> vertex_before_;  // X moved for that
   double effort_ = 0;  // of the solves of an attempt at a step, in factors
   double released_ = 0;  // J/m, that bonds stored which have failed in an attempt, and their blocks through them
 };
