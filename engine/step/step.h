@@ -103,9 +103,9 @@ class Stepper {
   void keep_rest(std::vector<BlockState>& moved);
   void count(const IslandResult& result);
   bool all_still() const;
-  // For the ledger; none where nothing has moved in the step, and nothing did before it. `vertex_before`, `ahead_before` (s): see there.
+  // For the ledger; none where nothing has moved in the step, and nothing did before it. As the attempt has them from before the step was changed.
   std::optional<ContactBooking> contacts_at_start(const std::vector<Vec2>& vertex_before, double ahead_before, double dt);
-  // `booking`: of a step in motion.
+  // `booking`: of a step in motion; without it such a step has nothing to book.
   void accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking = {});
   [[noreturn]] void give_up(const OpenCloseResult& result, double dt) const;
   int culprit(const Equilibrium& search) const;  // the block that is named when there is no equilibrium
