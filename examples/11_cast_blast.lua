@@ -84,7 +84,7 @@ if sim.time > 0.5 then
   local pile = talus.blast.pile(sim, { regions = {"bench"}, moved = 0.1, ground = 5, file = "profile" })
   local speed = math.sqrt(2*energy.kinetic/(rock.density*pile.solid))
   local fastest = 0
-  for _, v in ipairs(sim.blocks:field "velocity") do fastest = math.max(fastest, math.sqrt(v[1]^2 + v[2]^2)) end
+  for _, of_block in ipairs(sim.blocks:field "speed") do fastest = math.max(fastest, of_block) end
   print(string.format("centroid of what moved by (%.2f, %.2f) m; mean speed now %.3g m/s, the fastest %.3g m/s", pile.shift[1], pile.shift[2], speed, fastest))
   talus.result("shift_x", pile.shift[1], "m")
   talus.result("shift_y", pile.shift[2], "m")
