@@ -60,11 +60,8 @@ class BoxGrid {
         visit(e->box);  // a large box among small ones covers more cells than there are
       return;
     }
-    for (std::int64_t x = cells.x0; x <= cells.x1; ++x)
-      for (std::int64_t y = cells.y0; y <= cells.y1; ++y)
-        for (auto e = std::lower_bound(begin, end, Entry{level.number, x, y, 0});
-             e != end && e->x == x && e->y == y; ++e)
-          visit(e->box);
+    for (std::int64_t x = cells.x0; x <= cells.x1; ++x)  // of one x, cells lie behind each other
+      for (auto e = std::lower_bound(begin, end, Entry{level.number, x, cells.y0, 0}); e != end && e->x == x && e->y <= cells.y1; ++e) visit(e->box);
   }
 
   std::vector<Box> boxes_;

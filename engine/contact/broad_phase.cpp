@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/box_grid.h"
 #include "contact/detection.h"
@@ -48,20 +49,36 @@ void BoxGrid::fill(std::vector<Box> boxes) {
   }
 }
 
+// What is held is near what moves, or of no account; and what is held is not sought by it.
 std::vector<std::pair<int, int>> broad_phase(const Model& model, const std::vector<BlockState>& states, const std::vector<int>& blocks,
                                              double dt) {
-  std::vector<Box> boxes;
-  for (const int b : blocks) boxes.push_back(swept_box(model, b, states[b].velocity, dt));
-  BoxGrid grid;
-  grid.fill(std::move(boxes));
+  struct Part {
+    std::vector<int> blocks;
+    std::vector<Box> boxes;
+    BoxGrid grid;
+  } moving, held;
+  const auto take = [&](Part& part, int block, const Box& box) {
+    part.blocks.push_back(block);
+    part.boxes.push_back(box);
+  };
+  for (const int b : blocks)
+    if (model.shapes[b].dofs > 0) take(moving, b, swept_box(model, b, states[b].velocity, dt));
+  if (moving.boxes.empty()) return {};
+  Box all = moving.boxes[0];
+  for (const Box& box : moving.boxes) all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
+  for (const int b : blocks)
+    if (model.shapes[b].dofs == 0)
+      if (const Box box = swept_box(model, b, states[b].velocity, dt); box.meets(all)) take(held, b, box);
+  for (Part* part : {&moving, &held}) part->grid.fill(std::move(part->boxes));
+
   std::vector<std::pair<int, int>> pairs;
-  for (int k = 0; k < grid.count(); ++k) {
-    const int level = BoxGrid::level_of(grid.box(k));
-    grid.each_meeting(grid.box(k), level, [&](int other) {
-      if (other <= k && BoxGrid::level_of(grid.box(other)) == level) return;
-      if (model.shapes[blocks[k]].dofs == 0 && model.shapes[blocks[other]].dofs == 0) return;
-      pairs.push_back(std::minmax(blocks[k], blocks[other]));
+  for (int k = 0; k < moving.grid.count(); ++k) {
+    const Box& box = moving.grid.box(k);
+    const int level = BoxGrid::level_of(box);
+    moving.grid.each_meeting(box, level, [&](int other) {
+      if (other > k || BoxGrid::level_of(moving.grid.box(other)) != level) pairs.push_back(std::minmax(moving.blocks[k], moving.blocks[other]));
     });
+    held.grid.each_meeting(box, std::numeric_limits<int>::min(), [&](int other) { pairs.push_back(std::minmax(moving.blocks[k], held.blocks[other])); });
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

@@ -23,23 +23,27 @@ bool BlockMatrix::set_pattern(const std::vector<int>& sizes, std::vector<std::pa
 
   pair_offset_.resize(pairs_.size());
   above_.resize(blocks);
-  column_begin_.assign(1, 0);
-  row_index_.clear();
+  size_t count = 0;
   for (int b = 0; b < blocks; ++b) {
-    int offset = 0;
+    above_[b] = 0;
     for (int p = pair_begin_[b]; p < pair_begin_[b + 1]; ++p) {
-      pair_offset_[p] = offset;
-      offset += sizes_[pairs_[p].second];
+      pair_offset_[p] = above_[b];
+      above_[b] += sizes_[pairs_[p].second];
     }
-    above_[b] = offset;
-    for (int j = 0; j < sizes_[b]; ++j) {
-      for (int p = pair_begin_[b]; p < pair_begin_[b + 1]; ++p)
-        for (int i = 0; i < sizes_[pairs_[p].second]; ++i) row_index_.push_back(begin_[pairs_[p].second] + i);
-      for (int i = 0; i <= j; ++i) row_index_.push_back(begin_[b] + i);
-      column_begin_.push_back(int(row_index_.size()));
-    }
+    count += size_t(sizes_[b]) * size_t(above_[b]) + size_t(sizes_[b]) * size_t(sizes_[b] + 1) / 2;
   }
-  values.assign(row_index_.size(), 0.0);
+  column_begin_.resize(size_t(begin_[blocks]) + 1);
+  row_index_.resize(count);
+  int* row = row_index_.data();
+  for (int b = 0; b < blocks; ++b)
+    for (int j = 0; j < sizes_[b]; ++j) {
+      column_begin_[begin_[b] + j] = int(row - row_index_.data());
+      for (int p = pair_begin_[b]; p < pair_begin_[b + 1]; ++p)
+        for (int i = 0; i < sizes_[pairs_[p].second]; ++i) *row++ = begin_[pairs_[p].second] + i;
+      for (int i = 0; i <= j; ++i) *row++ = begin_[b] + i;
+    }
+  column_begin_.back() = int(count);
+  values.assign(count, 0.0);
   return true;
 }
 

@@ -1,5 +1,6 @@
 #include "step/contact_sweeps.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,10 @@ namespace {
 constexpr int least_run = 5;
 // Blocks. The larger the patches the fewer the sweeps; a patch costs the cube of its unknowns.
 constexpr size_t most_in_patch = 6;
-// Pairs. Motions that are carried on with the forces gather rounding, which stiff rigid walls answer with more sweeps.
+// Pairs after which all contacts are looked at, not those alone that press or may soon, and motions are added up anew: carried on with
+// the forces they gather rounding, which stiff rigid walls answer with more sweeps.
 constexpr int rebuilt_every = 10;
+constexpr double ahead = 2;  // times that way: contacts that would close in it may soon press
 
 template <int n>
 ColumnOf<n> padded(const Row& row, int size) {
@@ -23,33 +26,19 @@ ColumnOf<n> padded(const Row& row, int size) {
   return column;
 }
 
+template <int n>
+MatrixOf<n> inverse_of_lower(const MatrixOf<n>& lower) {
+  MatrixOf<n> inverse = MatrixOf<n>::Zero();
+  for (int column = 0; column < n; ++column)
+    for (int row = column; row < n; ++row) {
+      double left = row == column ? 1 : 0;
+      for (int k = column; k < row; ++k) left -= lower(row, k) * inverse(k, column);
+      inverse(row, column) = left / lower(row, row);
+    }
+  return inverse;
+}
+
 }  // namespace
-
-Sweeping::ContactLaw::ContactLaw(double normal, double mixed, double shear, double tan_phi, double held)
-    : friction(tan_phi), cohesion(held), nn(normal), ns(mixed), ss(shear), by_det(1 / (nn * ss - ns * ns)), by_ss(1 / ss) {
-  for (const int way : {0, 1}) {
-    const double steep = nn - (way == 0 ? 1 : -1) * ns * friction;
-    by_steep[way] = steep > 0 ? 1 / steep : 0;
-  }
-}
-
-// `stuck`: what sticking would ask for, which is too much.
-Sweeping::Forces Sweeping::ContactLaw::slide_or_open(double gap0, double slide0, Forces stuck) const {
-  const double alone = std::clamp(slide0 * by_ss, -cohesion, cohesion);
-  const bool open = gap0 - ns * alone >= 0;
-  if (open && stuck.n <= 0) return {0, alone};
-  // Sliding towards where sticking would ask too much, else the other way.
-  for (const bool back : {stuck.t <= 0, stuck.t > 0}) {
-    const double way = back ? -1 : 1;
-    const double pressed = (way * ns * cohesion - gap0) * by_steep[back];
-    if (pressed <= 0) continue;
-    const double limit = friction * pressed + cohesion;
-    if (way * (slide0 + ns * pressed) - ss * limit >= 0) return {pressed, way * limit};
-  }
-  if (open) return {0, alone};
-  // Nothing fits to the last digit, at the border of two cases: the nearest of sticking.
-  return carried(stuck);
-}
 
 template <int size>
 void SweepsOf<size>::start(const ContactProblem& problem) {
@@ -57,25 +46,39 @@ void SweepsOf<size>::start(const ContactProblem& problem) {
   const System& system = problem.system;
   factor_ = problem.contacts.factor();
   contacts_.clear();
+  rows_.clear();
   with_.clear();
   blocks_.clear();
+  lower_.clear();
+  to_own_.clear();
   patches_.clear();
   std::vector<int> place(problem.blocks.size(), -1);
   for (size_t b = 0; b < place.size(); ++b)
     if (problem.dofs[b] > 0) {
       place[b] = int(blocks_.size());
       blocks_.push_back(int(b));
+      Matrix own = Matrix::Identity();
+      system.matrix.diagonal(int(b), own);
+      const Eigen::LLT<Matrix> factored(own);
+      lower_.push_back(factored.info() == Eigen::Success ? Matrix(factored.matrixL()) : Matrix(Matrix::Identity()));
+      to_own_.push_back(inverse_of_lower<size>(lower_.back()));
     }
   const size_t count = blocks_.size();
-  force_.assign(count + 1, Column::Zero());
-  motion_.assign(count + 1, Column::Zero());
-  for (size_t l = 0; l < count; ++l)
-    force_[l].head(problem.dofs[blocks_[l]]) =
-        system.force.segment(problem.dof_begin[blocks_[l]], problem.dofs[blocks_[l]]);
+  force_.assign(count + 1, Lanes<size>{});
+  motion_.assign(count + 1, Lanes<size>{});
+  for (size_t l = 0; l < count; ++l) {
+    Column force = Column::Zero();
+    force.head(problem.dofs[blocks_[l]]) = system.force.segment(problem.dof_begin[blocks_[l]], problem.dofs[blocks_[l]]);
+    force_[l] = Lanes<size>::of(to_own_[l] * force);
+  }
   find_patches(find_ties(place));
   const auto& rows = problem.contacts.rows();
+  contacts_.reserve(rows.size());
+  rows_.reserve(rows.size());
   for (size_t k = 0; k < rows.size(); ++k)
     if (rows[k].near && (place[rows[k].i] >= 0 || place[rows[k].j] >= 0)) add_link(rows[k], int(k), place);
+  put_in_order();
+  pack();
 }
 
 // Of each block, by what is stiff between it and others.
@@ -89,8 +92,9 @@ std::vector<std::vector<typename SweepsOf<size>::Tie>> SweepsOf<size>::find_ties
     coupling.setZero();
     matrix.part(row, column, coupling);
     if (coupling.isZero(0)) continue;  // they only touch
-    ties[place[row]].push_back({place[column], coupling});
-    ties[place[column]].push_back({place[row], coupling.transpose()});
+    const int a = place[row], b = place[column];
+    ties[a].push_back({b, coupling * to_own_[b].transpose()});
+    ties[b].push_back({a, coupling.transpose() * to_own_[a].transpose()});
   }
   return ties;
 }
@@ -117,19 +121,20 @@ void SweepsOf<size>::find_patches(std::vector<std::vector<Tie>> ties) {
     const Eigen::Index members = Eigen::Index(patch.blocks.size());
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(members * size, members * size);
     for (Eigen::Index k = 0; k < members; ++k) rank_[patch.blocks[k]] = int(k);
-    Matrix diagonal;
+    Matrix part;
     for (Eigen::Index k = 0; k < members; ++k) {
-      diagonal.setIdentity();
       const int block = patch.blocks[k];
-      problem_->system.matrix.diagonal(blocks_[block], diagonal);
-      matrix.template block<size, size>(k * size, k * size) = diagonal;
+      part.setIdentity();
+      problem_->system.matrix.diagonal(blocks_[block], part);
+      matrix.template block<size, size>(k * size, k * size) = to_own_[block] * part * to_own_[block].transpose();
       for (const Tie& tie : ties[block])
         if (patch_of_[tie.other] == own)
-          matrix.template block<size, size>(k * size, rank_[tie.other] * size) = tie.k;
+          matrix.template block<size, size>(k * size, rank_[tie.other] * size) = to_own_[block] * tie.k;
       std::erase_if(ties[block], [&](const Tie& tie) { return patch_of_[tie.other] == own; });
       if (!ties[block].empty()) tied_.push_back({block, own, std::move(ties[block])});
     }
-    patch.inverse = matrix.inverse();
+    patch.unit = members == 1 && !lower_[first].isIdentity(0);
+    patch.inverse = patch.unit ? std::move(matrix) : Eigen::MatrixXd(matrix.inverse());
     for (Eigen::Index k = 0; k < members; ++k)
       for (int dof = problem_->dofs[blocks_[patch.blocks[k]]]; dof < size; ++dof)
         patch.inverse.col(k * size + dof).setZero();
@@ -149,62 +154,108 @@ void SweepsOf<size>::add_link(const ContactRows& row, int contact, const std::ve
   Link& link = contacts_.emplace_back();
   link.i = place[row.i] >= 0 ? place[row.i] : held;
   link.j = place[row.j] >= 0 ? place[row.j] : held;
-  link.normal_i = padded<size>(row.normal_i, link.i < held ? row.size_i : 0);
-  link.normal_j = padded<size>(row.normal_j, link.j < held ? row.size_j : 0);
-  link.shear_i = padded<size>(row.shear_i, link.i < held ? row.size_i : 0);
-  link.shear_j = padded<size>(row.shear_j, link.j < held ? row.size_j : 0);
-  for (Column* moved : {&link.moved_ni, &link.moved_nj, &link.moved_si, &link.moved_sj}) moved->setZero();
+  link.rows = link.moved = int(rows_.size());
+  SweptRows<size>& rows = rows_.emplace_back();
+  const auto in_own_axes = [&](const Row& of, int block, int dofs) {
+    return block == held ? Lanes<size>{} : Lanes<size>::of(to_own_[block] * padded<size>(of, dofs));
+  };
+  rows = {in_own_axes(row.normal_i, link.i, row.size_i), in_own_axes(row.normal_j, link.j, row.size_j),
+          in_own_axes(row.shear_i, link.i, row.size_i), in_own_axes(row.shear_j, link.j, row.size_j)};
   link.with_begin = int(with_.size());
-  for (const auto& [block, normal, shear] : {std::tuple{link.i, &link.normal_i, &link.shear_i}, {link.j, &link.normal_j, &link.shear_j}}) {
-    if (block == held) continue;
-    const Patch& patch = patches_[patch_of_[block]];
-    for (const int moved : patch.blocks) {
-      const auto inverse = patch.inverse.template block<size, size>(rank_[moved] * size, rank_[block] * size);
-      const Column n = inverse * *normal, s = inverse * *shear;
-      if (moved == link.i || moved == link.j) {
-        (moved == link.i ? link.moved_ni : link.moved_nj) += n;
-        (moved == link.i ? link.moved_si : link.moved_sj) += s;
-        continue;
-      }
-      const auto own = std::find_if(with_.begin() + link.with_begin, with_.end(), [&](const With& w) { return w.block == moved; });
-      if (own == with_.end()) {
-        with_.push_back({moved, n, s});
-      } else {
-        own->n += n;
-        own->s += s;
-      }
-    }
+  const auto unit = [&](int block) { return block == held || patches_[patch_of_[block]].unit; };
+  if (!unit(link.i) || !unit(link.j)) {
+    link.moved = int(rows_.size());
+    add_moved(link);
   }
   link.with_end = int(with_.size());
-  link.nn = factor_ * (link.normal_i.dot(link.moved_ni) + link.normal_j.dot(link.moved_nj));
-  link.ns = factor_ * (link.normal_i.dot(link.moved_si) + link.normal_j.dot(link.moved_sj));
-  link.ss = factor_ * (link.shear_i.dot(link.moved_si) + link.shear_j.dot(link.moved_sj));
-  link.law = ContactLaw(link.nn + 1 / row.kn, link.ns, link.ss + 1 / row.ks, row.friction, row.cohesion);
+  const SweptRows<size>&felt = rows_[link.rows], &moved = rows_[link.moved];
+  link.nn = factor_ * along(felt.ni, moved.ni, felt.nj, moved.nj);
+  link.ns = factor_ * along(felt.ni, moved.si, felt.nj, moved.sj);
+  link.ss = factor_ * along(felt.si, moved.si, felt.sj, moved.sj);
+  link.law = SweptLaw(link.nn + 1 / row.kn, link.ns, link.ss + 1 / row.ks, row.friction, row.cohesion);
   link.contact = contact;
+}
+
+// What a contact on bonded blocks moves: all of their patches.
+template <int size>
+void SweepsOf<size>::add_moved(const Link& link) {
+  const int held = int(blocks_.size());
+  SweptRows<size> felt = rows_[link.rows];
+  SweptRows<size>& moved = rows_.emplace_back();
+  moved = {};
+  for (const auto& [block, normal, shear] : {std::tuple{link.i, &felt.ni, &felt.si}, {link.j, &felt.nj, &felt.sj}}) {
+    if (block == held) continue;
+    const Patch& patch = patches_[patch_of_[block]];
+    for (const int other : patch.blocks) {
+      const auto inverse = patch.inverse.template block<size, size>(rank_[other] * size, rank_[block] * size);
+      const Column n = inverse * normal->column(), s = inverse * shear->column();
+      Lanes<size> *to_n = other == link.i ? &moved.ni : other == link.j ? &moved.nj : nullptr,
+            *to_s = other == link.i ? &moved.si : other == link.j ? &moved.sj : nullptr;
+      if (!to_n) {
+        auto own = std::find_if(with_.begin() + link.with_begin, with_.end(), [&](const SweptWith<size>& w) { return w.block == other; });
+        if (own == with_.end()) own = with_.insert(own, {other, {}, {}});
+        to_n = &own->n;
+        to_s = &own->s;
+      }
+      to_n->column() += n;
+      to_s->column() += s;
+    }
+  }
+}
+
+// From one end of the island to the other: on its way a sweep takes along what it has found, where in any other order it goes from
+// neighbour to neighbour a sweep each time.
+template <int size>
+void SweepsOf<size>::put_in_order() {
+  if (contacts_.empty()) return;
+  const auto place = [&](const Link& link) -> const Vec2& { return problem_->model->vertex[problem_->before(size_t(link.contact)).global_vertex]; };
+  Vec2 low = place(contacts_[0]), high = low;
+  for (const Link& link : contacts_) {
+    low = low.cwiseMin(place(link));
+    high = high.cwiseMax(place(link));
+  }
+  Eigen::Index longer = 0;
+  (high - low).maxCoeff(&longer);
+  std::stable_sort(contacts_.begin(), contacts_.end(), [&](const Link& a, const Link& b) { return place(a)[longer] < place(b)[longer]; });
+}
+
+// Rows in the order in which sweeps come by.
+template <int size>
+void SweepsOf<size>::pack() {
+  std::vector<SweptRows<size>> packed;
+  packed.reserve(rows_.size());
+  for (Link& link : contacts_) {
+    const bool apart = link.moved != link.rows;
+    packed.push_back(rows_[link.rows]);
+    link.rows = int(packed.size()) - 1;
+    if (apart) packed.push_back(rows_[link.moved]);
+    link.moved = int(packed.size()) - 1;
+  }
+  packed.push_back({});
+  rows_ = std::move(packed);
 }
 
 template <int size>
 void SweepsOf<size>::rebuild() {
-  std::vector<Column> sum = force_;
+  std::vector<Lanes<size>>& sum = motion_;
+  sum = force_;
   for (size_t k = 0; k < contacts_.size(); ++k) {
     const Link& link = contacts_[k];
     const auto [n, t] = forces_[k];
     if (n == 0 && t == 0) continue;
-    sum[link.i] += n * link.normal_i - t * link.shear_i;
-    sum[link.j] += n * link.normal_j - t * link.shear_j;
+    const SweptRows<size>& rows = rows_[link.rows];
+    go(rows.ni, rows.si, n, t, sum[link.i]);
+    go(rows.nj, rows.sj, n, t, sum[link.j]);
   }
-  for (size_t t = 0; t < tied_.size(); ++t) sum[tied_[t].block] += bond_[t];
-  using OfPatch = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, int(most_in_patch) * size, 1>;
-  OfPatch forces, motions;
+  for (size_t t = 0; t < tied_.size(); ++t)
+    sum[tied_[t].block].column() += to_own_[tied_[t].block] * bond_[t];
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, int(most_in_patch) * size, 1> forces, motions;
   for (const Patch& patch : patches_) {
-    if (patch.blocks.size() == 1) {
-      motion_[patch.blocks[0]].noalias() = patch.inverse.template topLeftCorner<size, size>() * sum[patch.blocks[0]];
-      continue;
-    }
+    if (patch.unit) continue;
     forces.resize(patch.inverse.cols());
-    for (const int b : patch.blocks) forces.template segment<size>(rank_[b] * size) = sum[b];
+    for (const int b : patch.blocks) forces.template segment<size>(rank_[b] * size) = sum[b].column();
     motions.noalias() = patch.inverse * forces;
-    for (const int b : patch.blocks) motion_[b] = motions.template segment<size>(rank_[b] * size);
+    for (const int b : patch.blocks) motion_[b].column() = motions.template segment<size>(rank_[b] * size);
   }
 }
 
@@ -212,42 +263,72 @@ template <int size>
 void SweepsOf<size>::relax(size_t tied) {
   const Tied& own = tied_[tied];
   Column force = Column::Zero();
-  for (const Tie& tie : own.ties) force -= tie.k * motion_[tie.other];
-  const Column change = force - bond_[tied];
+  for (const Tie& tie : own.ties) force -= tie.k * motion_[tie.other].column();
+  const Column change = to_own_[own.block] * (force - bond_[tied]);
   bond_[tied] = force;
   const Patch& patch = patches_[own.patch];
   for (const int moved : patch.blocks)
-    motion_[moved] += patch.inverse.template block<size, size>(rank_[moved] * size, rank_[own.block] * size) * change;
+    motion_[moved].column() += patch.inverse.template block<size, size>(rank_[moved] * size, rank_[own.block] * size) * change;
 }
 
+// Contacts that press, or would by going on as since they were last looked at: others keep to their place for the next few pairs.
 template <int size>
-void SweepsOf<size>::settle(const Link& link, Forces& forces) {
-  const Column &di = motion_[link.i], &dj = motion_[link.j];
-  const double gap = link.gap0 + factor_ * (link.normal_i.dot(di) + link.normal_j.dot(dj));
-  if (forces.n == 0 && gap >= 0 && link.law.cohesion == 0) return;
-  const double slide = link.slide0 + factor_ * (link.shear_i.dot(di) + link.shear_j.dot(dj));
-  const Forces now = link.law.meet(gap - link.nn * forces.n + link.ns * forces.t, slide - link.ns * forces.n + link.ss * forces.t);
-  if (now.n == forces.n && now.t == forces.t) return;
-  move(link, now.n - forces.n, now.t - forces.t);
-  forces = now;
+void SweepsOf<size>::watch() {
+  std::vector<int> active;
+  active.reserve(contacts_.size());
+  const bool first = gap_.size() != contacts_.size();
+  gap_.resize(contacts_.size());
+  for (size_t k = 0; k < contacts_.size(); ++k) {
+    const Link& link = contacts_[k];
+    const SweptRows<size>& rows = rows_[link.rows];
+    const double gap = link.gap0 + factor_ * along(rows.ni, motion_[link.i], rows.nj, motion_[link.j]);
+    if (first || forces_[k].n != 0 || forces_[k].t != 0 || link.law.cohesion > 0 || gap + ahead * (gap - gap_[k]) < 0 || gap < 0)
+      active.push_back(int(k));
+    gap_[k] = gap;
+  }
+  if (!first && active == active_) return;
+  active_ = std::move(active);
+  if (with_.empty()) group();
 }
 
+// As they come, each into the first of the last few groups that has room for it and no block in common with it.
 template <int size>
-void SweepsOf<size>::move(const Link& link, double dn, double dt) {
-  motion_[link.i] += dn * link.moved_ni - dt * link.moved_si;
-  motion_[link.j] += dn * link.moved_nj - dt * link.moved_sj;
-  for (int k = link.with_begin; k < link.with_end; ++k) motion_[with_[k].block] += dn * with_[k].n - dt * with_[k].s;
+void SweepsOf<size>::group() {
+  constexpr size_t filled_at_once = 8;
+  const int held = int(blocks_.size()), none = int(contacts_.size());
+  groups_.clear();
+  std::vector<size_t> filled;  // of each group
+  size_t first = 0;
+  for (const int k : active_) {
+    const Link& link = contacts_[size_t(k)];
+    const auto takes = [&](size_t g) {
+      const auto has = [&](int block) {
+        const SweptGroup<size>& group = groups_[g];
+        return block != held && (std::count(group.i.begin(), group.i.end(), block) > 0 || std::count(group.j.begin(), group.j.end(), block) > 0);
+      };
+      return filled[g] < 4 && !has(link.i) && !has(link.j);
+    };
+    size_t g = first;
+    while (g < groups_.size() && !takes(g)) ++g;
+    if (g == groups_.size()) {
+      groups_.push_back(SweptGroup<size>::of_nothing(none, held, int(rows_.size()) - 1));
+      filled.push_back(0);
+      if (groups_.size() > first + filled_at_once) ++first;
+    }
+    groups_[g].put(filled[g]++, k, link);
+  }
 }
 
 template <int size>
 void SweepsOf<size>::sweep(bool backwards) {
-  if (backwards) {
+  if (backwards)
     for (size_t t = tied_.size(); t-- > 0;) relax(t);
-    for (size_t k = contacts_.size(); k-- > 0;) settle(contacts_[k], forces_[k]);
-  } else {
-    for (size_t k = 0; k < contacts_.size(); ++k) settle(contacts_[k], forces_[k]);
+  if (with_.empty())
+    settle_all(view(), groups_, backwards);
+  else
+    settle_all(view(), active_, backwards);
+  if (!backwards)
     for (size_t t = 0; t < tied_.size(); ++t) relax(t);
-  }
 }
 
 template <int size>
@@ -259,8 +340,9 @@ struct SweepsOf<size>::Change {  // of a pair of sweeps, N²
 template <int size>
 typename SweepsOf<size>::Change SweepsOf<size>::change(const State& from, const State& last) const {
   Change sum;
-  for (size_t k = 0; k < forces_.size(); ++k) {
-    const Forces now = forces_[k];
+  for (const int contact : active_) {
+    const auto k = size_t(contact);
+    const ContactForces now = forces_[k];
     const double dn = now.n - from.forces[k].n, dt = now.t - from.forces[k].t;
     sum.change += dn * dn + dt * dt;
     sum.level += now.n * now.n;
@@ -280,12 +362,13 @@ typename SweepsOf<size>::Change SweepsOf<size>::change(const State& from, const 
 template <int size>
 void SweepsOf<size>::carry_on(const State& last, double momentum, bool anew) {
   for (size_t t = 0; t < bond_.size(); ++t) bond_[t] += momentum * (bond_[t] - last.bond[t]);
-  for (size_t l = 0; l < motion_.size(); ++l) motion_[l] += momentum * (motion_[l] - last.motion[l]);
-  for (size_t k = 0; k < forces_.size(); ++k) {
-    const Forces now = forces_[k], before = last.forces[k];
-    const Forces asked = {now.n + momentum * (now.n - before.n), now.t + momentum * (now.t - before.t)};
-    const Forces carried = forces_[k] = contacts_[k].law.carried(asked);
-    if (carried.n != asked.n || carried.t != asked.t) move(contacts_[k], carried.n - asked.n, carried.t - asked.t);
+  for (size_t l = 0; l < motion_.size(); ++l) go(motion_[l], last.motion[l], momentum, momentum, motion_[l]);
+  for (const int contact : active_) {
+    const auto k = size_t(contact);
+    const ContactForces now = forces_[k], before = last.forces[k];
+    const ContactForces asked = {now.n + momentum * (now.n - before.n), now.t + momentum * (now.t - before.t)};
+    const ContactForces carried = forces_[k] = contacts_[k].law.carried(asked);
+    if (carried.n != asked.n || carried.t != asked.t) move(view(), contacts_[k], carried.n - asked.n, carried.t - asked.t);
   }
   if (anew) rebuild();
 }
@@ -302,31 +385,40 @@ void SweepsOf<size>::mix(const State& from, Mixing& mixing) {
   }
   const Vector& next = mixing.next(x, change);
   for (Eigen::Index k = 0; k < count; ++k)
-    if (Forces& forces = forces_[size_t(k)]; forces.n > 0)  // what has opened stays open
+    if (ContactForces& forces = forces_[size_t(k)]; forces.n > 0)  // what has opened stays open
       forces = contacts_[size_t(k)].law.carried({next[k], next[count + k]});
   rebuild();
 }
 
 template <int size>
-Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry carry, std::vector<double>& normal,
-                                           std::vector<double>& shear, Vector& d) {
+void SweepsOf<size>::take(const std::vector<double>& normal, const std::vector<double>& shear, const Vector& d) {
   const auto& rows = problem_->contacts.rows();
-  const int blocks = int(blocks_.size());
-  forces_.resize(contacts_.size());
+  forces_.assign(contacts_.size() + 1, {});
   for (size_t k = 0; k < contacts_.size(); ++k) {
     Link& link = contacts_[k];
     link.gap0 = rows[link.contact].gap0;
     link.slide0 = rows[link.contact].slide0;
     forces_[k] = {normal[link.contact], shear[link.contact]};
   }
-  for (int l = 0; l < blocks; ++l) {
-    motion_[l].setZero();
-    motion_[l].head(problem_->dofs[blocks_[l]]) = d.segment(problem_->dof_begin[blocks_[l]], problem_->dofs[blocks_[l]]);
-  }
   bond_.assign(tied_.size(), Column::Zero());
-  for (size_t t = 0; t < tied_.size(); ++t)
-    for (const Tie& tie : tied_[t].ties) bond_[t] -= tie.k * motion_[tie.other];
+  if (!tied_.empty()) {
+    for (size_t l = 0; l < blocks_.size(); ++l) {
+      Column motion = Column::Zero();
+      motion.head(problem_->dofs[blocks_[l]]) = d.segment(problem_->dof_begin[blocks_[l]], problem_->dofs[blocks_[l]]);
+      motion_[l] = Lanes<size>::of(Column(lower_[l].transpose() * motion));
+    }
+    for (size_t t = 0; t < tied_.size(); ++t)
+      for (const Tie& tie : tied_[t].ties) bond_[t] -= tie.k * motion_[tie.other].column();
+  }
   rebuild();
+  gap_.clear();
+}
+
+template <int size>
+Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry carry, std::vector<double>& normal,
+                                           std::vector<double>& shear, Vector& d) {
+  take(normal, shear, d);
+  watch();
   State from, last{forces_, bond_, motion_};  // before the present pair; after the one before it
   Progress progress;
   Mixing mixing;
@@ -342,12 +434,16 @@ Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry
     const Change now = change(from, last);
     progress.change = now.level > 0 ? std::sqrt(now.change / now.level) : 0;
     progress.moved = std::sqrt(now.change);
-    if (progress.change <= enough) break;
+    const bool ends = progress.change <= enough || progress.pairs == most;
+    if (ends || progress.pairs % rebuilt_every == 0) {
+      const size_t swept = active_.size();
+      watch();
+      if (ends && (progress.pairs == most || swept == contacts_.size() || none_closes())) break;
+    }
     if (progress.pairs % 10 == 0) {
       if (worth > 0 && decade > 0 && !(progress.change < decade * std::pow(enough / progress.change, 10.0 / worth))) break;
       decade = progress.change;
     }
-    if (progress.pairs == most) break;
     if (carry == Carry::mixing) {
       mix(from, mixing);
       continue;
@@ -374,11 +470,20 @@ Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry
     normal[contacts_[k].contact] = forces_[k].n;
     shear[contacts_[k].contact] = forces_[k].t;
   }
-  for (int l = 0; l < blocks; ++l) {
+  for (size_t l = 0; l < blocks_.size(); ++l) {
     const int dofs = problem_->dofs[blocks_[l]];
-    d.segment(problem_->dof_begin[blocks_[l]], dofs) = motion_[l].head(dofs);
+    const Column motion = to_own_[l].transpose() * motion_[l].column();
+    d.segment(problem_->dof_begin[blocks_[l]], dofs) = motion.head(dofs);
   }
   return progress;
+}
+
+// Of contacts without force, all of which were looked at just now.
+template <int size>
+bool SweepsOf<size>::none_closes() const {
+  for (size_t k = 0; k < contacts_.size(); ++k)
+    if (gap_[k] < 0 && forces_[k].n == 0) return false;
+  return true;
 }
 
 template class SweepsOf<first_order_dofs>;

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "step/contact_problem.h"
+#include "step/contact_settling.h"
 #include "step/mixing.h"
 
 namespace talus {
@@ -17,32 +18,6 @@ namespace talus {
 class Sweeping {
  public:
   enum class Carry { momentum, mixing };
-  struct Forces {  // of a contact, N
-    double n, t;
-  };
-  // Of one contact whose two blocks give way to it alone.
-  struct ContactLaw {
-    double friction, cohesion;  // tan φ; N
-    double nn, ns, ss;          // m/N: gap and slide under unit forces, the contact's own compliance with them
-    double by_det, by_ss, by_steep[2];  // reciprocals; of sliding either way, nought where it would wedge itself without bound
-
-    ContactLaw() = default;
-    ContactLaw(double nn, double ns, double ss, double friction, double cohesion);
-    // The forces at which gap = gap0 + nn n - ns t and slide = slide0 + ns n - ss t meet the law: pressed and sticking mean gap = 0
-    // and slide = 0. Cohesion holds at n = 0 too (ContactTerms::linearise).
-    Forces meet(double gap0, double slide0) const {
-      const double n = (slide0 * ns - gap0 * ss) * by_det, t = (nn * slide0 - ns * gap0) * by_det;
-      return n > 0 && std::abs(t) <= friction * n + cohesion ? Forces{n, t} : slide_or_open(gap0, slide0, {n, t});
-    }
-    // `forces` cut to what the contact can carry.
-    Forces carried(Forces forces) const {
-      const double n = std::max(0.0, forces.n), limit = (n > 0 ? friction * n : 0) + cohesion;
-      return {n, std::clamp(forces.t, -limit, limit)};
-    }
-
-   private:
-    Forces slide_or_open(double gap0, double slide0, Forces stuck) const;
-  };
   struct Progress {
     int pairs = 0;
     double change = 0;  // of the last pair, part of the norm of all forces
@@ -50,7 +25,9 @@ class Sweeping {
   };
 };
 
-// Of blocks that have at most `size` unknowns.
+// Of blocks that have at most `size` unknowns. Each block's unknowns are taken in the axes and units in which its own matrix is 1,
+// z = Lᵀd with L Lᵀ = K of the block: a block that hangs on no other is then moved along the very rows that its contacts feel, and half as much
+// is read for a contact.
 template <int size>
 class SweepsOf : public Sweeping {
  public:
@@ -61,27 +38,14 @@ class SweepsOf : public Sweeping {
  private:
   using Column = ColumnOf<size>;
   using Matrix = MatrixOf<size>;
-  struct Link {  // what an open contact asks for comes first
-    int i, j;               // into blocks_; the last one stands for all that is held
-    double gap0, slide0;    // m
-    Column normal_i, normal_j;  // rows; zero for what does not move
-    ContactLaw law;
-    double nn, ns, ss;      // m/N: gap and slide under unit forces, without the contact's own compliance
-    Column shear_i, shear_j;
-    Column moved_ni, moved_nj, moved_si, moved_sj;    // motion of the blocks under unit force
-    int with_begin, with_end;  // into with_
-    int contact;
-  };
-  struct With {  // a block that a contact moves because it hangs together with those it is on
-    int block;
-    Column n, s;
-  };
-  struct Tie {  // K of this block over the displacements of one of another patch
+  using Link = SweptContact<size>;
+  struct Tie {  // K of this block over the unknowns z of one of another patch
     int other;
     Matrix k;
   };
   struct Patch {  // of blocks that hang together by bonds, few enough for a matrix of their own
     std::vector<int> blocks;
+    bool unit = false;        // its matrix is 1
     Eigen::MatrixXd inverse;  // `size` a block; zero for unknowns that are none
   };
   struct Tied {  // a block that hangs on other patches
@@ -89,31 +53,43 @@ class SweepsOf : public Sweeping {
     std::vector<Tie> ties;
   };
   struct State {
-    std::vector<Forces> forces;
-    std::vector<Column> bond, motion;
+    std::vector<ContactForces> forces;
+    std::vector<Column> bond;
+    std::vector<Lanes<size>> motion;
   };
   std::vector<std::vector<Tie>> find_ties(const std::vector<int>& place) const;
   void find_patches(std::vector<std::vector<Tie>> ties);
   void add_link(const ContactRows& row, int contact, const std::vector<int>& place);
-  void settle(const Link& link, Forces& forces);
-  void move(const Link& link, double dn, double dt);  // of what the contact moves, under so much more force
+  void add_moved(const Link& link);
+  void put_in_order();
+  void pack();
+  void group();
+  void take(const std::vector<double>& normal, const std::vector<double>& shear, const Vector& d);
   void relax(size_t tied);
   void rebuild();  // motion_ from the forces
+  void watch();    // sets active_
+  bool none_closes() const;
   void sweep(bool backwards);
   struct Change;
   Change change(const State& from, const State& last) const;
   void carry_on(const State& last, double momentum, bool anew);
   void mix(const State& from, Mixing& mixing);
+  SweepView<size> view() { return {contacts_.data(), int(contacts_.size()), rows_.data(), with_.data(), forces_.data(), motion_.data(), factor_}; }
 
   std::vector<Link> contacts_;
-  std::vector<Forces> forces_;  // of contacts_
-  std::vector<With> with_;
+  std::vector<SweptRows<size>> rows_;
+  std::vector<ContactForces> forces_;  // of contacts_, and none at the end
+  std::vector<double> gap_;     // m, of contacts_ when they were last looked at all
+  std::vector<int> active_;     // contacts_ that are swept
+  std::vector<SweptGroup<size>> groups_;   // of active_
+  std::vector<SweptWith<size>> with_;
   std::vector<int> blocks_;  // of the problem, those that move
+  std::vector<Matrix> lower_, to_own_;  // L and L⁻¹ of each block
   std::vector<Patch> patches_;
   std::vector<int> patch_of_, rank_;  // of each block, and its place there
   std::vector<Tied> tied_;  // patch by patch
-  std::vector<Column> force_, motion_;  // of blocks_, and a zero at the end
-  std::vector<Column> bond_;  // of tied_: force on the block by its ties, as it was last relaxed
+  std::vector<Lanes<size>> force_, motion_;  // of blocks_, L⁻¹f and z; and a zero at the end
+  std::vector<Column> bond_;  // N, of tied_: force on the block by its ties, as it was last relaxed
   const ContactProblem* problem_ = nullptr;
   double factor_ = 1;
 };

@@ -24,6 +24,7 @@ struct IslandSolver::Step {
   const OpenCloseSettings& settings;
   double dt;
   const Vector& start;  // or empty
+  int moving;           // blocks that are not held
 };
 
 void IslandSolver::find(const Model& model, const ContactTerms& contacts, bool together) {
@@ -39,7 +40,8 @@ IslandResult IslandSolver::solve(const Model& model, const System& system, const
   Vector start;
   start.swap(d);
   d.setZero(system.force.size());
-  const Step step{model, system, contacts, settings, dt, start};
+  const int moving = int(std::count_if(model.shapes.begin(), model.shapes.end(), [](const BlockShape& shape) { return shape.dofs > 0; }));
+  const Step step{model, system, contacts, settings, dt, start, moving};
   converged_.assign(size_t(islands_.count()), 1);
   missed_.clear();
   ++solve_;
@@ -161,7 +163,7 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
   result.splittings += own.splittings;
   result.pivots += own.pivots;
   result.factorisations += problem.solver.factorisations - before;
-  result.total_effort += own.effort() * double(problem.blocks.size()) / double(step.model.shapes.size());
+  result.total_effort += own.effort() * double(problem.blocks.size()) / double(std::max(1, step.moving));
   ++(own.iterations == 0 ? result.islands.by_sweeps : result.islands.with_factor);
   result.iterations = std::max(result.iterations, own.iterations);
   if (!own.converged || !(own.residual <= result.residual)) {

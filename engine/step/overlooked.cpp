@@ -73,6 +73,7 @@ class Hindsight {
   // Whether something was hit so hard that the search could not foresee where to.
   bool thrown() const {
     for (int b = 0; b < int(moved_.size()); ++b) {
+      if (model_.sleeps(b)) continue;
       const BlockState &from = model_.blocks[b], &to = moved_[b];
       const BlockShape& shape = model_.shapes[b];
       const Vec2 off = to.shift - from.shift - dt_ * Vec2(from.velocity[0], from.velocity[1]);

@@ -188,7 +188,7 @@ StepReport Stepper::dynamic_step(double most) {
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
     if (gas_) gas_->end_step(dt);
-    if (dt < most) step_size_.accepted(dt, report.displacement, fracture_ ? effort_ : result.iterations);
+    if (dt < most) step_size_.accepted(dt, report.displacement, effort_);
     report.dt = dt;
     return report;
   }
@@ -357,7 +357,7 @@ void Stepper::widen() {
 // What rests stays where it is, and stands still.
 void Stepper::keep_rest(std::vector<BlockState>& moved) {
   for (size_t b = 0; b < moved.size(); ++b)
-    if (islands_.rest(int(b)) != Rest::moves) {
+    if (!model_.sleeps(int(b)) && islands_.rest(int(b)) != Rest::moves) {
       moved[b] = model_.blocks[b];
       moved[b].velocity.fill(0);
     }
@@ -401,7 +401,7 @@ void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const 
   }
   if (motion)  // nothing of it is work
     for (size_t b = 0; b < moved.size(); ++b)
-      if (islands_.rest(int(b)) != Rest::moves) model_.blocks[b].velocity.fill(0);
+      if (!model_.sleeps(int(b)) && islands_.rest(int(b)) != Rest::moves) model_.blocks[b].velocity.fill(0);
   if (motion && bridge_motion_.any()) ledger_.numerical_flow += bridge_motion_.shift_loss(model_, scheme, d);
   if (motion) book_motion({model_, poses_, system_, supports_, scheme, d, moved}, ledger_);
   model_.blocks = std::move(moved);

@@ -1,0 +1,129 @@
+#include "step/contact_settling.h"
+
+namespace talus {
+
+namespace {
+
+template <int size>
+using FourColumns = std::array<const Lanes<size>*, 4>;
+
+// a·x + b·y of four pairs of columns.
+template <int size>
+TALUS_WITHIN void four_along(const FourColumns<size>& a, const FourColumns<size>& x, const FourColumns<size>& b, const FourColumns<size>& y, Four& sums) {
+  Four half[4];
+  for (size_t c = 0; c < 4; ++c) {
+    Eight sum = eight(*a[c], 0) * eight(*x[c], 0) + eight(*b[c], 0) * eight(*y[c], 0);
+    for (size_t k = 1; k < std::size(a[c]->v) / 8; ++k) sum += eight(*a[c], k) * eight(*x[c], k) + eight(*b[c], k) * eight(*y[c], k);
+    half[c] = __builtin_shufflevector(sum, sum, 0, 1, 2, 3) + __builtin_shufflevector(sum, sum, 4, 5, 6, 7);
+  }
+  const Four first = __builtin_shufflevector(half[0], half[1], 0, 4, 2, 6) + __builtin_shufflevector(half[0], half[1], 1, 5, 3, 7);
+  const Four second = __builtin_shufflevector(half[2], half[3], 0, 4, 2, 6) + __builtin_shufflevector(half[2], half[3], 1, 5, 3, 7);
+  sums = __builtin_shufflevector(first, second, 0, 1, 4, 5) + __builtin_shufflevector(first, second, 2, 3, 6, 7);
+}
+
+template <int size>
+TALUS_WITHIN void settle(const SweepView<size>& view, const SweptGroup<size>& group) {
+  FourColumns<size> ni, nj, si, sj, zi, zj;
+  Four n, t, gap, slide;
+  for (size_t c = 0; c < 4; ++c) {
+    const SweptRows<size>& rows = view.rows[group.rows[c]];
+    ni[c] = &rows.ni;
+    nj[c] = &rows.nj;
+    si[c] = &rows.si;
+    sj[c] = &rows.sj;
+    zi[c] = &view.motion[group.i[c]];
+    zj[c] = &view.motion[group.j[c]];
+    n[c] = view.forces[group.contact[c]].n;
+    t[c] = view.forces[group.contact[c]].t;
+  }
+  four_along<size>(ni, zi, nj, zj, gap);
+  four_along<size>(si, zi, sj, zj, slide);
+  gap = group.gap0 + view.factor * gap - group.nn * n + group.ns * t;
+  slide = group.slide0 + view.factor * slide - group.ns * n + group.ss * t;
+  Four next_n, next_t;
+  group.law.meet(gap, slide, next_n, next_t);
+  const auto found = next_n == next_n;
+  if (!(found[0] & found[1] & found[2] & found[3])) [[unlikely]]
+    for (size_t c = 0; c < 4; ++c)
+      if (!found[c] && group.contact[c] < view.count) {
+        const ContactForces now = view.contacts[group.contact[c]].law.meet(gap[c], slide[c]);
+        next_n[c] = now.n;
+        next_t[c] = now.t;
+      }
+  const Four dn = next_n - n, dt = next_t - t;
+  for (size_t c = 0; c < 4; ++c) {
+    view.forces[group.contact[c]] = {next_n[c], next_t[c]};
+    const SweptRows<size>& moved = view.rows[group.moved[c]];
+    go(moved.ni, moved.si, dn[c], dt[c], view.motion[group.i[c]]);
+    go(moved.nj, moved.sj, dn[c], dt[c], view.motion[group.j[c]]);
+  }
+}
+
+template <int size>
+TALUS_WITHIN void settle(const SweepView<size>& view, int number) {
+  const SweptContact<size>& contact = view.contacts[number];
+  const SweptRows<size>& rows = view.rows[contact.rows];
+  ContactForces& forces = view.forces[number];
+  const Lanes<size>&zi = view.motion[contact.i], &zj = view.motion[contact.j];
+  const double gap = contact.gap0 + view.factor * along(rows.ni, zi, rows.nj, zj);
+  if (forces.n == 0 && gap >= 0 && contact.law.cohesion == 0) return;
+  const double slide = contact.slide0 + view.factor * along(rows.si, zi, rows.sj, zj);
+  const ContactForces now = contact.law.meet(gap - contact.nn * forces.n + contact.ns * forces.t, slide - contact.ns * forces.n + contact.ss * forces.t);
+  if (now.n == forces.n && now.t == forces.t) return;
+  move(view, contact, now.n - forces.n, now.t - forces.t);
+  forces = now;
+}
+
+template <int size, class Item>
+TALUS_WITHIN void settle_in_turn(const SweepView<size>& view, const std::vector<Item>& items, bool backwards) {
+  if (backwards)
+    for (size_t k = items.size(); k-- > 0;) settle(view, items[k]);
+  else
+    for (const Item& item : items) settle(view, item);
+}
+
+}  // namespace
+
+TALUS_WIDE void settle_all(const SweepView<first_order_dofs>& view, const std::vector<SweptGroup<first_order_dofs>>& groups, bool backwards) {
+  settle_in_turn(view, groups, backwards);
+}
+TALUS_WIDE void settle_all(const SweepView<second_order_dofs>& view, const std::vector<SweptGroup<second_order_dofs>>& groups, bool backwards) {
+  settle_in_turn(view, groups, backwards);
+}
+TALUS_WIDE void settle_all(const SweepView<first_order_dofs>& view, const std::vector<int>& contacts, bool backwards) {
+  settle_in_turn(view, contacts, backwards);
+}
+TALUS_WIDE void settle_all(const SweepView<second_order_dofs>& view, const std::vector<int>& contacts, bool backwards) {
+  settle_in_turn(view, contacts, backwards);
+}
+
+template <int size>
+SweptGroup<size> SweptGroup<size>::of_nothing(int contact, int block, int rows) {
+  SweptGroup group{};
+  group.contact.fill(contact);
+  for (auto* numbers : {&group.i, &group.j}) numbers->fill(block);
+  for (auto* numbers : {&group.rows, &group.moved}) numbers->fill(rows);
+  group.gap0 += 1;
+  group.law = FourLaws::open();
+  return group;
+}
+
+template <int size>
+void SweptGroup<size>::put(size_t at, int number, const SweptContact<size>& own) {
+  contact[at] = number;
+  i[at] = own.i;
+  j[at] = own.j;
+  rows[at] = own.rows;
+  moved[at] = own.moved;
+  gap0[at] = own.gap0;
+  slide0[at] = own.slide0;
+  nn[at] = own.nn;
+  ns[at] = own.ns;
+  ss[at] = own.ss;
+  law.put(at, own.law);
+}
+
+template struct SweptGroup<first_order_dofs>;
+template struct SweptGroup<second_order_dofs>;
+
+}  // namespace talus

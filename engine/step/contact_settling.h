@@ -1,0 +1,104 @@
+#pragma once
+// What a sweep does at each contact: it gets the forces that meet its law with all others held, and its blocks move by them. Blocks move in
+// axes and units of their own (contact_sweeps.h); all numbers of a block or contact lie in whole registers and lines of the cache.
+#include <array>
+#include <iterator>
+#include <vector>
+
+#include "model/model.h"
+#include "step/swept_law.h"
+
+namespace talus {
+
+template <int size>
+struct alignas(64) Lanes {  // a column of a block's unknowns, filled up with zeros
+  double v[(size + 7) / 8 * 8];
+
+  static Lanes of(const ColumnOf<size>& column) {
+    Lanes lanes{};
+    std::copy_n(column.data(), size, lanes.v);
+    return lanes;
+  }
+  Eigen::Map<ColumnOf<size>> column() { return Eigen::Map<ColumnOf<size>>(v); }
+};
+
+template <int size>
+TALUS_WITHIN const Eight& eight(const Lanes<size>& lanes, size_t k) {
+  return reinterpret_cast<const Eight&>(lanes.v[8 * k]);
+}
+
+// motion += dn n - dt s.
+template <int size>
+TALUS_WITHIN void go(const Lanes<size>& n, const Lanes<size>& s, double dn, double dt, Lanes<size>& motion) {
+  for (size_t k = 0; k < std::size(motion.v) / 8; ++k) reinterpret_cast<Eight&>(motion.v[8 * k]) += dn * eight(n, k) - dt * eight(s, k);
+}
+
+// a·x + b·y.
+template <int size>
+TALUS_WITHIN double along(const Lanes<size>& a, const Lanes<size>& x, const Lanes<size>& b, const Lanes<size>& y) {
+  Eight sum = eight(a, 0) * eight(x, 0) + eight(b, 0) * eight(y, 0);
+  for (size_t k = 1; k < std::size(a.v) / 8; ++k) sum += eight(a, k) * eight(x, k) + eight(b, k) * eight(y, k);
+  return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+}
+
+template <int size>
+struct SweptRows {  // gap and slide under unit displacements of both blocks; or their motion under unit forces
+  Lanes<size> ni, nj, si, sj;
+};
+
+template <int size>
+struct SweptContact {
+  int i, j;             // blocks; the last one stands for all that is held
+  int rows, moved;      // into the rows: of the contact; motion of the blocks under unit forces, the same where a block's matrix is 1
+  double gap0, slide0;  // m
+  SweptLaw law;
+  double nn, ns, ss;    // m/N: gap and slide under unit forces, without the contact's own compliance
+  int with_begin, with_end;
+  int contact;          // of the problem
+};
+
+template <int size>
+struct SweptWith {  // a block that a contact moves because it hangs together with those it is on
+  int block;
+  Lanes<size> n, s;
+};
+
+// Four contacts without a block in common, which are put right together: one after the other they would wait for each other's arithmetic.
+// What a group is short of is filled up with contacts of nothing.
+template <int size>
+struct SweptGroup {
+  std::array<int, 4> contact, i, j, rows, moved;
+  Four gap0, slide0, nn, ns, ss;
+  FourLaws law;
+
+  static SweptGroup of_nothing(int contact, int block, int rows);
+  void put(size_t at, int number, const SweptContact<size>& contact);
+};
+
+template <int size>
+struct SweepView {  // all that a sweep over contacts reads and writes
+  const SweptContact<size>* contacts;
+  int count;
+  const SweptRows<size>* rows;
+  const SweptWith<size>* with;
+  ContactForces* forces;  // one more than there are contacts
+  Lanes<size>* motion;
+  double factor;
+};
+
+// What the contact moves goes on, under so much more force.
+template <int size>
+TALUS_WITHIN void move(const SweepView<size>& view, const SweptContact<size>& contact, double dn, double dt) {
+  const SweptRows<size>& moved = view.rows[contact.moved];
+  go(moved.ni, moved.si, dn, dt, view.motion[contact.i]);
+  go(moved.nj, moved.sj, dn, dt, view.motion[contact.j]);
+  for (int k = contact.with_begin; k < contact.with_end; ++k) go(view.with[k].n, view.with[k].s, dn, dt, view.motion[view.with[k].block]);
+}
+
+// One after the other, forwards or backwards: groups, where no contact moves more than its two blocks, or contacts.
+void settle_all(const SweepView<first_order_dofs>& view, const std::vector<SweptGroup<first_order_dofs>>& groups, bool backwards);
+void settle_all(const SweepView<second_order_dofs>& view, const std::vector<SweptGroup<second_order_dofs>>& groups, bool backwards);
+void settle_all(const SweepView<first_order_dofs>& view, const std::vector<int>& contacts, bool backwards);
+void settle_all(const SweepView<second_order_dofs>& view, const std::vector<int>& contacts, bool backwards);
+
+}  // namespace talus
