@@ -288,19 +288,24 @@ void SweepsOf<size>::watch() {
   }
   if (!first && active == active_) return;
   active_ = std::move(active);
-  if (with_.empty()) group();
+  group();
 }
 
-// As they come, each into the first of the last few groups that has room for it and no block in common with it.
+// Those that move their two blocks alone, as they come: each into the first of the last few groups that has room for it and no block in common with it.
 template <int size>
 void SweepsOf<size>::group() {
   constexpr size_t filled_at_once = 8;
   const int held = int(blocks_.size()), none = int(contacts_.size());
   groups_.clear();
+  alone_.clear();
   std::vector<size_t> filled;  // of each group
   size_t first = 0;
   for (const int k : active_) {
     const Link& link = contacts_[size_t(k)];
+    if (link.with_end > link.with_begin) {
+      alone_.push_back(k);
+      continue;
+    }
     const auto takes = [&](size_t g) {
       const auto has = [&](int block) {
         const SweptGroup<size>& group = groups_[g];
@@ -321,14 +326,15 @@ void SweepsOf<size>::group() {
 
 template <int size>
 void SweepsOf<size>::sweep(bool backwards) {
-  if (backwards)
+  if (backwards) {
     for (size_t t = tied_.size(); t-- > 0;) relax(t);
-  if (with_.empty())
-    settle_all(view(), groups_, backwards);
-  else
-    settle_all(view(), active_, backwards);
-  if (!backwards)
+    settle_all(view(), alone_, true);
+    settle_all(view(), groups_, true);
+  } else {
+    settle_all(view(), groups_, false);
+    settle_all(view(), alone_, false);
     for (size_t t = 0; t < tied_.size(); ++t) relax(t);
+  }
 }
 
 template <int size>

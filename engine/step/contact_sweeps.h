@@ -81,7 +81,8 @@ class SweepsOf : public Sweeping {
   std::vector<ContactForces> forces_;  // of contacts_, and none at the end
   std::vector<double> gap_;     // m, of contacts_ when they were last looked at all
   std::vector<int> active_;     // contacts_ that are swept
-  std::vector<SweptGroup<size>> groups_;   // of active_
+  std::vector<SweptGroup<size>> groups_;  // of active_, and those that are put right by themselves
+  std::vector<int> alone_;
   std::vector<SweptWith<size>> with_;
   std::vector<int> blocks_;  // of the problem, those that move
   std::vector<Matrix> lower_, to_own_;  // L and L⁻¹ of each block

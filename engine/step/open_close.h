@@ -14,7 +14,7 @@
 
 namespace talus {
 
-constexpr double sweep_effort = 0.01;  // of a factor: a sweep over some contacts a block
+constexpr double sweep_effort = 0.006;  // of a factor and what is solved with it: a sweep over some contacts a block
 constexpr double splitting_effort = 0.08;  // an iteration of the splitting
 
 struct OpenCloseResult {

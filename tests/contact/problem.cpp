@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "step/energies.h"
+#include "step/part_timer.h"
 #include "step/update.h"
 
 namespace talus::study {
@@ -143,6 +144,25 @@ bool Desk::factorise(const std::vector<double>& normal, const std::vector<double
   }
   ++outcome.factorisations;
   return solver_.factor(matrix_) < 0;
+}
+
+double bare_cost(const Problem& problem, int times) {
+  Desk desk(problem);
+  std::vector<double> kn, ks;
+  for (size_t k = 0; k < desk.count(); ++k) {
+    kn.push_back(desk.row(k).kn);
+    ks.push_back(desk.row(k).ks);
+  }
+  double least = std::numeric_limits<double>::infinity();
+  Vector x;
+  desk.factorise(kn, ks);  // assembly is not counted
+  for (int i = 0; i < times; ++i) {
+    const double start = cpu_seconds();
+    desk.refactorise();
+    desk.solve(problem.system.force, x);
+    least = std::min(least, cpu_seconds() - start);
+  }
+  return least;
 }
 
 }  // namespace talus::study

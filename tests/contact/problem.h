@@ -91,6 +91,12 @@ class Desk {
   OpenClose judge_;
 };
 
+// s of CPU, the least of so many: one factorisation and solve with all springs of the problem in the matrix.
+double bare_cost(const Problem& problem, int times);
+
+// Runs a scene and prints what its steps cost beside a bare factorisation and solve of their system, every so many steps.
+int report_steps(const std::string& script, const std::vector<std::pair<std::string, std::string>>& parameters);
+
 // The candidates. Each starts from d = 0 and from the forces and states of the last step.
 using Candidate = void (*)(Desk&);
 struct Named {

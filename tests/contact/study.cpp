@@ -1,7 +1,7 @@
 // Compares ways to solve a step's contacts on the same problems. Each problem is a scene, run by the engine to its
 // last step (time.max_steps), whose contact problem every candidate then gets. Writes the tables of
 // docs/contact_study.md to standard output; scripts/contact_study runs it. --check: the shipped way alone, as a
-// test.
+// test. --steps: what the steps of a scene cost beside a bare factorisation.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -37,6 +37,11 @@ struct Tally {
   std::vector<double> costs;
 };
 
+std::pair<std::string, std::string> parameter(const std::string& word) {  // name=value
+  const size_t equals = word.find('=');
+  return {word.substr(0, equals), word.substr(equals + 1)};
+}
+
 std::vector<Entry> read_list(const std::string& folder) {
   std::ifstream file(folder + "/problems.txt");
   std::vector<Entry> list;
@@ -44,33 +49,10 @@ std::vector<Entry> read_list(const std::string& folder) {
     std::istringstream words(line);
     Entry entry;
     if (line.empty() || line[0] == '#' || !(words >> entry.name >> entry.scene)) continue;
-    for (std::string word; words >> word;) {
-      const size_t equals = word.find('=');
-      entry.parameters.emplace_back(word.substr(0, equals), word.substr(equals + 1));
-    }
+    for (std::string word; words >> word;) entry.parameters.push_back(parameter(word));
     list.push_back(entry);
   }
   return list;
-}
-
-// Least of ten: one factorisation and solve with all springs of the problem in the matrix.
-double bare_cost(const Problem& problem) {
-  Desk desk(problem);
-  std::vector<double> kn, ks;
-  for (size_t k = 0; k < desk.count(); ++k) {
-    kn.push_back(desk.row(k).kn);
-    ks.push_back(desk.row(k).ks);
-  }
-  double least = 1e9;
-  Vector x;
-  for (int i = 0; i < 10; ++i) {
-    desk.factorise(kn, ks);  // assembly is not counted
-    const double start = cpu_seconds();
-    desk.refactorise();
-    desk.solve(problem.system.force, x);
-    least = std::min(least, cpu_seconds() - start);
-  }
-  return least;
 }
 
 int closed_contacts(const Problem& problem, const Vector& d) {
@@ -91,7 +73,7 @@ void print_row(const Problem& problem, const Named& candidate, const Outcome& ou
 // own: the residual at which the engine took the step, or 0 where it had to cut it or began again from where it had got to.
 void compare(Problem& problem, double own, Tallies& tallies) {
   if (Desk(problem).count() == 0) throw std::runtime_error(problem.name + ": nothing touches in this step");
-  problem.bare = bare_cost(problem);
+  problem.bare = bare_cost(problem, 10);
   std::vector<Outcome> outcomes;
   for (const Named& candidate : candidates()) {
     Desk desk(problem);
@@ -216,9 +198,14 @@ void summary(Tallies& tallies) {
 int main(int argc, char** argv) {
   using namespace talus::study;
   std::vector<std::string> names(argv + 1, argv + argc);
+  if (names.size() > 1 && names.front() == "--steps") {
+    std::vector<std::pair<std::string, std::string>> parameters;
+    for (size_t k = 2; k < names.size(); ++k) parameters.push_back(parameter(names[k]));
+    return report_steps(names[1], parameters);
+  }
   const bool checks = !names.empty() && names.front() == "--check";
   if (checks) names.erase(names.begin());
-  if (names.empty()) return std::fprintf(stderr, "contact_study [--check] <folder of problems.txt> [name…]\n"), 2;
+  if (names.empty()) return std::fprintf(stderr, "contact_study [--check] <folder of problems.txt> [name…] | --steps <scene> [name=value…]\n"), 2;
   Tallies tallies;
   int lost = 0;
   for (const Entry& entry : read_list(names.front())) {
