@@ -440,11 +440,12 @@ Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry
     const Change now = change(from, last);
     progress.change = now.level > 0 ? std::sqrt(now.change / now.level) : 0;
     progress.moved = std::sqrt(now.change);
-    const bool ends = progress.change <= enough || progress.pairs == most;
+    if (progress.pairs == most) break;
+    const bool ends = progress.change <= enough;
+    if (ends && active_.size() == contacts_.size()) break;
     if (ends || progress.pairs % rebuilt_every == 0) {
-      const size_t swept = active_.size();
       watch();
-      if (ends && (progress.pairs == most || swept == contacts_.size() || none_closes())) break;
+      if (ends && none_closes()) break;
     }
     if (progress.pairs % 10 == 0) {
       if (worth > 0 && decade > 0 && !(progress.change < decade * std::pow(enough / progress.change, 10.0 / worth))) break;
