@@ -14,6 +14,8 @@ struct Box {
   bool meets(const Box& other) const {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
   }
+  bool contains(const Box& other) const { return (low.array() <= other.low.array()).all() && (other.high.array() <= high.array()).all(); }
+  Box grown(double margin) const { return {low - Vec2(margin, margin), high + Vec2(margin, margin)}; }
 };
 
 // Of a block, grown by its motion at `velocity` in `dt` and by search_margin of its length.

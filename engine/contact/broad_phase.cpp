@@ -7,6 +7,13 @@
 
 namespace talus {
 
+namespace {
+
+// Of the boxes that NearBlocks keeps: they hold for some steps at present velocities, and for what velocities change by meanwhile.
+constexpr double steps_ahead = 6, wider = search_margin / 2;
+
+}  // namespace
+
 Box swept_box(const Model& model, int block, const std::array<double, max_dofs>& v, double dt) {
   const BlockShape& shape = model.shapes[block];
   Box box{model.vertex[shape.vertex_begin], model.vertex[shape.vertex_begin]};
@@ -49,26 +56,27 @@ void BoxGrid::fill(std::vector<Box> boxes) {
   }
 }
 
-// What is held is near what moves, or of no account; and what is held is not sought by it.
-std::vector<std::pair<int, int>> broad_phase(const Model& model, const std::vector<BlockState>& states, const std::vector<int>& blocks,
-                                             double dt) {
+namespace {
+
+// Pairs (places in `blocks`, sorted) whose boxes meet. What is held is near what moves, or of no account; and what is held is not sought by it.
+std::vector<std::pair<int, int>> that_meet(const Model& model, const std::vector<int>& blocks, const std::vector<Box>& boxes) {
   struct Part {
-    std::vector<int> blocks;
+    std::vector<int> places;
     std::vector<Box> boxes;
     BoxGrid grid;
+    void take(int place, const Box& box) {
+      places.push_back(place);
+      boxes.push_back(box);
+    }
   } moving, held;
-  const auto take = [&](Part& part, int block, const Box& box) {
-    part.blocks.push_back(block);
-    part.boxes.push_back(box);
-  };
-  for (const int b : blocks)
-    if (model.shapes[b].dofs > 0) take(moving, b, swept_box(model, b, states[b].velocity, dt));
+  const auto moves = [&](size_t k) { return model.shapes[size_t(blocks[k])].dofs > 0; };
+  for (size_t k = 0; k < blocks.size(); ++k)
+    if (moves(k)) moving.take(int(k), boxes[k]);
   if (moving.boxes.empty()) return {};
   Box all = moving.boxes[0];
   for (const Box& box : moving.boxes) all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
-  for (const int b : blocks)
-    if (model.shapes[b].dofs == 0)
-      if (const Box box = swept_box(model, b, states[b].velocity, dt); box.meets(all)) take(held, b, box);
+  for (size_t k = 0; k < blocks.size(); ++k)
+    if (!moves(k) && boxes[k].meets(all)) held.take(int(k), boxes[k]);
   for (Part* part : {&moving, &held}) part->grid.fill(std::move(part->boxes));
 
   std::vector<std::pair<int, int>> pairs;
@@ -76,13 +84,34 @@ std::vector<std::pair<int, int>> broad_phase(const Model& model, const std::vect
     const Box& box = moving.grid.box(k);
     const int level = BoxGrid::level_of(box);
     moving.grid.each_meeting(box, level, [&](int other) {
-      if (other > k || BoxGrid::level_of(moving.grid.box(other)) != level) pairs.push_back(std::minmax(moving.blocks[k], moving.blocks[other]));
+      if (other > k || BoxGrid::level_of(moving.grid.box(other)) != level) pairs.push_back(std::minmax(moving.places[k], moving.places[other]));
     });
-    held.grid.each_meeting(box, std::numeric_limits<int>::min(), [&](int other) { pairs.push_back(std::minmax(moving.blocks[k], held.blocks[other])); });
+    held.grid.each_meeting(box, std::numeric_limits<int>::min(), [&](int other) { pairs.push_back(std::minmax(moving.places[k], held.places[other])); });
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
+}
+
+}  // namespace
+
+std::vector<std::pair<int, int>> NearBlocks::find(const Model& model, const std::vector<BlockState>& states, const std::vector<int>& blocks, double dt) {
+  const auto box_of = [&](int block, double time) { return swept_box(model, block, states[size_t(block)].velocity, time); };
+  std::vector<Box> boxes;
+  boxes.reserve(blocks.size());
+  for (const int b : blocks) boxes.push_back(box_of(b, dt));
+  bool within = blocks == blocks_;
+  for (size_t k = 0; within && k < boxes.size(); ++k) within = wide_[k].contains(boxes[k]);
+  if (!within) {
+    blocks_ = blocks;
+    wide_.clear();
+    for (const int b : blocks) wide_.push_back(box_of(b, steps_ahead * dt).grown(wider * model.shapes[size_t(b)].length));
+    pairs_ = that_meet(model, blocks, wide_);
+  }
+  std::vector<std::pair<int, int>> near;
+  for (const auto& [a, b] : pairs_)
+    if (boxes[size_t(a)].meets(boxes[size_t(b)])) near.push_back({blocks[size_t(a)], blocks[size_t(b)]});
+  return near;
 }
 
 }  // namespace talus

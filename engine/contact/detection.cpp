@@ -172,6 +172,15 @@ void drop_points(const Model& model, const std::vector<MeetingCorners>& meeting,
   });
 }
 
+bool convex(const Model& model, int block) {
+  const Vec2* const corners = &model.reference_vertex[size_t(model.shapes[size_t(block)].vertex_begin)];
+  for (int v = 0; v < model.vertex_count(block); ++v) {
+    const int next = model.next_vertex(block, v);
+    if (cross(corners[next] - corners[v], corners[model.next_vertex(block, next)] - corners[next]) <= 0) return false;
+  }
+  return true;
+}
+
 // Adds the blocks that hang together round a corner through intact joints at that corner, but not those that
 // face each other across an open joint that ends there.
 void bond_corners(const Model& model, std::unordered_set<std::int64_t>& bonded) {
@@ -243,10 +252,12 @@ void ContactSearch::find_surface(const Model& model) {
   bond_corners(model, bonded_);
   find_outlines(model);
   surface_blocks_.clear();
+  surface_.plain.clear();
   for (size_t b = 0; b < model.shapes.size(); ++b) {
-    const char* const edges = surface_.free_edge.data();
-    const char* const end = edges + model.shapes[b].vertex_end;
-    if (std::find(edges + model.shapes[b].vertex_begin, end, 1) != end) surface_blocks_.push_back(int(b));
+    const auto edges = std::span(surface_.free_edge).subspan(size_t(model.shapes[b].vertex_begin), size_t(model.vertex_count(int(b))));
+    const auto free = std::count(edges.begin(), edges.end(), 1);
+    if (free > 0) surface_blocks_.push_back(int(b));
+    surface_.plain.push_back(size_t(free) == edges.size() && convex(model, int(b)));
   }
 }
 
@@ -302,11 +313,15 @@ bool ContactSearch::unmoved(const Model& model, double dt) {
   return same;
 }
 
-std::vector<std::pair<int, int>> ContactSearch::near(const Model& model, const std::vector<BlockState>& states, double dt) const {
+std::vector<int> ContactSearch::awake(const Model& model) const {
   std::vector<int> awake;
   for (const int b : surface_blocks_)
     if (!model.sleeps(b)) awake.push_back(b);
-  return broad_phase(model, states, awake, dt);
+  return awake;
+}
+
+std::vector<std::pair<int, int>> ContactSearch::near(const Model& model, const std::vector<BlockState>& states, double dt) const {
+  return NearBlocks().find(model, states, awake(model), dt);
 }
 
 bool ContactSearch::bonded(int a, int b) const { return bonded_.contains(pair_key(a, b)); }
@@ -323,9 +338,10 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   std::vector<MeetingCorners> meeting;
   {
     const OnTheWay lent(model, seen, dt);
-    near_ = near(model, model.blocks, dt);
+    near_ = near_blocks_.find(model, model.blocks, awake(model), dt);
+    faces_.find(model, near_);
     for (const auto& [a, b] : near_)
-      if (!bonded(a, b)) find_contacts(model, surface_, a, b, dt, now, meeting);
+      if (!bonded(a, b)) find_contacts(model, surface_, faces_, a, b, dt, now, meeting);
   }
   if (!seen.empty()) seen_.clear();  // another search than that of these velocities
   drop_points(model, meeting, bonded_, now);

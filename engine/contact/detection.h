@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "contact/box_grid.h"
+#include "contact/faces.h"
 #include "model/model.h"
 
 namespace talus {
@@ -21,16 +23,25 @@ inline double judged_ahead(const Numerics& numerics, double dt) {
   return numerics.integrator == Integrator::theta ? (numerics.theta - 0.5) * dt : 0;
 }
 
-// Pairs of blocks (a < b, sorted) of the list whose boxes, grown by their motion in `dt` at the velocities of `states` and by a
-// part of their length, meet. Hierarchical grid: linear in the number of blocks whatever their sizes. Pairs of held blocks
-// are left out.
-std::vector<std::pair<int, int>> broad_phase(const Model& model, const std::vector<BlockState>& states, const std::vector<int>& blocks,
-                                             double dt);
+// Which blocks come near each other, from a list of those that do within some steps: it is made anew when one leaves the box that it was made with.
+class NearBlocks {
+ public:
+  // Pairs of blocks (a < b, sorted) of the list, which rises, whose boxes, grown by their motion in `dt` at the velocities of `states` and by a
+  // part of their length, meet. Hierarchical grid: linear in the number of blocks whatever their sizes. Pairs of held blocks
+  // are left out.
+  std::vector<std::pair<int, int>> find(const Model& model, const std::vector<BlockState>& states, const std::vector<int>& blocks, double dt);
+
+ private:
+  std::vector<int> blocks_;
+  std::vector<Box> wide_;                    // of blocks_
+  std::vector<std::pair<int, int>> pairs_;  // places in blocks_, of which those boxes meet
+};
 
 // The outlines of bodies: of blocks, and of blocks bonded to each other, all by global vertex.
 struct Surface {
   std::vector<int> joint;          // open joint whose face begins here, or -1
   std::vector<char> free_edge;     // no intact joint covers the edge that begins here; others cannot touch
+  std::vector<char> plain;         // by block: convex, and all its edges are free
   std::vector<int> ahead, behind;  // outline's next and last corner, of a block of the same body round this one: what the
                                    // body is at a corner, of which one block is only a part
 };
@@ -60,6 +71,7 @@ class ContactSearch {
 
  private:
   void find_surface(const Model& model);
+  std::vector<int> awake(const Model& model) const;
   void find_outlines(const Model& model);
   bool unmoved(const Model& model, double dt);
 
@@ -69,7 +81,9 @@ class ContactSearch {
   double time_ = 0, last_dt_ = 0;    // s, of the last search of another time, and the accepted step since
   std::vector<double> seen_;         // places and velocities of the last search
   double seen_dt_ = 0;
+  NearBlocks near_blocks_;
   std::vector<std::pair<int, int>> near_;
+  Faces faces_;
   std::unordered_set<std::int64_t> bonded_;  // pairs glued along an edge, or round a corner they share
 };
 

@@ -26,21 +26,15 @@ constexpr double grazing_slope = 0.1;  // it moves along the face, not onto it
 // What comes to the line of an edge farther than this beyond the edge's ends passes it by, in units of the smaller block's √area.
 constexpr double beside_part = passing_tolerance;
 
-struct Edge {
-  Vec2 from, along, normal;  // unit vectors; normal outward
-  double length;
-  double gap(const Vec2& p) const { return normal.dot(p - from); }
-  double position(const Vec2& p) const { return along.dot(p - from); }
-};
-
 double spin(const Model& model, int block) { return model.blocks[block].velocity[2] / model.shapes[block].length; }  // rad/s
 
 class Pair {
  public:
   // way: m, of the pair past each other in the step, at most.
-  Pair(const Model& model, const Surface& surface, int i, int j, double way, double dt)
+  Pair(const Model& model, const Surface& surface, const Faces& faces, int i, int j, double way, double dt)
       : model_(model),
         surface_(surface),
+        faces_(faces),
         i_(i),
         j_(j),
         dt_(dt),
@@ -57,12 +51,7 @@ class Pair {
   Vec2 vertex(int block, int local) const { return model_.vertex[model_.shapes[block].vertex_begin + local]; }
   int next(int block, int local) const { return model_.next_vertex(block, local); }
   int previous(int block, int local) const { return local == 0 ? model_.vertex_count(block) - 1 : local - 1; }
-  Edge edge(int block, int local) const {
-    const Vec2 from = vertex(block, local), span = vertex(block, next(block, local)) - from;
-    const double length = span.norm();
-    const Vec2 along = span / length;
-    return {from, along, -perp(along), length};
-  }
+  const Face& edge(int block, int local) const { return faces_[global(block, local)]; }
 
   bool free(int block, int edge) const { return surface_.free_edge[model_.shapes[block].vertex_begin + edge]; }
   bool exposed(int block, int v) const { return free(block, v) || free(block, previous(block, v)); }
@@ -120,7 +109,7 @@ class Pair {
   }
   // Whether corner `v` of `bv` is flush with edge `e` of `be`, at or beyond its ends, and stays so during the step.
   bool slides_on(int bv, int v, int be, int e) const {
-    const Edge face = edge(be, e);
+    const Face& face = edge(be, e);
     const Vec2 p = vertex(bv, v);
     const Vec2 way = (model_.velocity_at(bv, p) - model_.velocity_at(be, p)) * dt_;
     const double approach = std::abs(face.normal.dot(way)), slide = std::abs(face.along.dot(way));
@@ -135,6 +124,22 @@ class Pair {
     const auto on = [&](int beyond) { return free(be, beyond) && slides_on(bv, v, be, beyond); };
     return (s <= flush() && on(previous(be, e)) && !inner(be, e)) ||
            (s >= length - flush() && on(next(be, e)) && !inner(be, next(be, e)));
+  }
+
+  // Whether a face of one block has all of the other so far in front of it that nothing meets. Of blocks as parts of bodies, and where corners
+  // are met on their way, that does not say so.
+  bool apart() const {
+    if (fast() || !surface_.plain[size_t(i_)] || !surface_.plain[size_t(j_)]) return false;
+    const auto before_a_face = [this](int block, int of) {
+      for (int e = 0; e < model_.vertex_count(of); ++e) {
+        const Face& face = edge(of, e);
+        int v = 0;
+        while (v < model_.vertex_count(block) && face.gap(vertex(block, v)) > reach_) ++v;
+        if (v == model_.vertex_count(block)) return true;
+      }
+      return false;
+    };
+    return before_a_face(i_, j_) || before_a_face(j_, i_);
   }
 
   // Whether the outline turns inwards at corner `v` of `block`.
@@ -154,11 +159,11 @@ class Pair {
 
   // Whether the block `be` has another side between its face at `e` and a corner at `p` below it: what the corner is away from
   // the face is no depth then.
-  bool behind(int be, int e, const Edge& face, const Vec2& p) const {
+  bool behind(int be, int e, const Face& face, const Vec2& p) const {
     const Vec2 foot = p - face.gap(p) * face.normal;
     for (int f = 0; f < model_.vertex_count(be); ++f) {
       if (f == e || !free(be, f)) continue;
-      const Edge far = edge(be, f);
+      const Face& far = edge(be, f);
       const double from = far.gap(foot), to = far.gap(p);
       if (from > meeting() || to <= meeting() || to <= from) continue;
       const double s = far.position(foot + std::max(0.0, from / (from - to)) * (p - foot));
@@ -187,7 +192,7 @@ class Pair {
   static bool leads_away(const Vec2& d, const Vec2& n) { return d.dot(n) >= -parallel_sine * d.norm(); }
 
   // Length over which an edge at corner `v` lies along `e`, or 0.
-  double shared_length(int block, int v, const Edge& e) const {
+  double shared_length(int block, int v, const Face& e) const {
     const Vec2 p = vertex(block, v);
     double shared = 0;
     for (int other : {next(block, v), previous(block, v)}) {
@@ -201,6 +206,7 @@ class Pair {
 
   const Model& model_;
   const Surface& surface_;
+  const Faces& faces_;
   int i_, j_;
   double dt_, judged_, least_, reach_;  // s, s, m, m; judged_: from the start to the places that contacts are judged at
   bool fast_;                           // may pass an edge by in the step
@@ -220,7 +226,7 @@ bool convex(const Pair& pair, int block, int v) {
 }
 
 // Place along an edge of a vertex that is at `s` now and goes `way`: where it comes to the edge's line from outside, if it does.
-double place_met(const Edge& edge, double gap, double s, const Vec2& way) {
+double place_met(const Face& edge, double gap, double s, const Vec2& way) {
   const double ahead = gap + edge.normal.dot(way);
   return gap > 0 && ahead < 0 ? s + edge.along.dot(way) * gap / (gap - ahead) : s;
 }
@@ -250,7 +256,7 @@ void vertices_on_edges(const Pair& pair, const Model& model, int bv, int be, std
     candidates.clear();
     for (int e = 0; e < model.vertex_count(be); ++e) {
       if (!pair.free(be, e)) continue;
-      const Edge edge = pair.edge(be, e);
+      const Face& edge = pair.edge(be, e);
       const double gap = edge.gap(p);
       if (gap > pair.reach() || gap < pair.deepest()) continue;
       double s = edge.position(p);
@@ -312,7 +318,7 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
   // `end`: of the edge, at which the corners are to meet.
   const auto consider = [&](int bv, int vertex, int be, int e, End end) {
     if (!pair.free(be, e)) return;
-    const Edge edge = pair.edge(be, e);
+    const Face& edge = pair.edge(be, e);
     if (!pair.can_rest(bv, vertex, edge.normal)) return;
     const Vec2 p = pair.vertex(bv, vertex), way = pair.way(bv, vertex, be);
     const double gap = edge.gap(p), ahead = gap + edge.normal.dot(way), s = edge.position(p);
@@ -349,10 +355,10 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
 // dropped. Else the two would share a load, half of which is lost where one of them goes.
 void drop_twins(const Pair& pair, size_t first, std::vector<Contact>& found) {
   for (size_t c = first; c < found.size(); ++c) {
-    const Edge face = pair.edge(found[c].j, found[c].edge);
+    const Face& face = pair.edge(found[c].j, found[c].edge);
     const Vec2 p = pair.vertex(found[c].i, found[c].vertex);
     for (size_t other = c + 1; other < found.size();) {
-      const Edge facing = pair.edge(found[other].j, found[other].edge);
+      const Face& facing = pair.edge(found[other].j, found[other].edge);
       const Vec2 apart = pair.vertex(found[other].i, found[other].vertex) - p;
       const double near = 2 * corner_part * std::max(face.length, facing.length);
       const bool twin = found[other].i == found[c].j && std::abs(face.along.dot(apart)) <= near &&
@@ -367,12 +373,13 @@ void drop_twins(const Pair& pair, size_t first, std::vector<Contact>& found) {
 
 }  // namespace
 
-void find_contacts(const Model& model, const Surface& surface, int a, int b, double dt, std::vector<Contact>& found,
+void find_contacts(const Model& model, const Surface& surface, const Faces& faces, int a, int b, double dt, std::vector<Contact>& found,
                    std::vector<MeetingCorners>& meeting) {
   const auto rim = [&](int k) { return std::abs(spin(model, k)) * model.shapes[k].radius; };
   const Vec2 approach(model.blocks[a].velocity[0] - model.blocks[b].velocity[0],
                       model.blocks[a].velocity[1] - model.blocks[b].velocity[1]);
-  const Pair pair(model, surface, a, b, 1.5 * dt * (approach.norm() + rim(a) + rim(b)), dt);
+  const Pair pair(model, surface, faces, a, b, 1.5 * dt * (approach.norm() + rim(a) + rim(b)), dt);
+  if (pair.apart()) return;
   const size_t first = found.size();
   vertices_on_edges(pair, model, a, b, found);
   vertices_on_edges(pair, model, b, a, found);

@@ -55,9 +55,39 @@ TEST(BroadPhase, FindsWhatBruteForceFinds) {
     for (double dt : {0.0, 0.1}) {
       const auto expected = brute_force(model, dt);
       ASSERT_GT(expected.size(), 100u);
-      EXPECT_EQ(broad_phase(model, model.blocks, all, dt), expected) << seed << " " << dt;
+      EXPECT_EQ(NearBlocks().find(model, model.blocks, all, dt), expected) << seed << " " << dt;
     }
   }
+}
+
+// One list is kept for several steps, in which blocks go on, some faster than they did when it was made.
+TEST(BroadPhase, FindsTheSameFromStepToStep) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  Model model;
+  std::vector<int> all;
+  for (int b = 0; b < 200; ++b) {
+    test::add_block(model, rectangle(10 * unit(random), 10 * unit(random), 1, 1), b % 7 ? 6 : 0, 0);
+    model.blocks[size_t(b)].velocity = {unit(random), unit(random), unit(random), 0, 0, 0};
+    all.push_back(b);
+  }
+  NearBlocks near;
+  std::vector<std::pair<int, int>> before;
+  int changes = 0;
+  const double dt = 0.02;
+  for (int step = 0; step < 60; ++step) {
+    model.place_vertices();
+    const auto found = near.find(model, model.blocks, all, dt);
+    EXPECT_EQ(found, brute_force(model, dt)) << step;
+    changes += found != before;
+    before = found;
+    for (int b = 0; b < 200; ++b) {
+      BlockState& state = model.blocks[size_t(b)];
+      if (step % 10 == 9) state.velocity[0] += 3 * unit(random);
+      state.centroid += dt * Vec2(state.velocity[0], state.velocity[1]);
+    }
+  }
+  EXPECT_GT(changes, 20);
 }
 
 TEST(BroadPhase, LooksOnlyAtTheBlocksOfTheList) {
@@ -65,8 +95,8 @@ TEST(BroadPhase, LooksOnlyAtTheBlocksOfTheList) {
   for (int b = 0; b < 6; ++b) test::add_block(model, rectangle(b, 0, 1, 1), 6, 0);
   model.place_vertices();
   using List = std::vector<std::pair<int, int>>;
-  EXPECT_EQ(broad_phase(model, model.blocks, {0, 1, 3, 4}, 0), (List{{0, 1}, {3, 4}}));
-  EXPECT_EQ(broad_phase(model, model.blocks, {}, 0), List{});
+  EXPECT_EQ(NearBlocks().find(model, model.blocks, {0, 1, 3, 4}, 0), (List{{0, 1}, {3, 4}}));
+  EXPECT_EQ(NearBlocks().find(model, model.blocks, {}, 0), List{});
 }
 
 }  // namespace
