@@ -14,5 +14,6 @@ namespace talus {
 // Of numbers, lane by lane: as wide as the processor has them, or in parts.
 using Eight = double __attribute__((vector_size(64), aligned(64), may_alias));
 using Four = double __attribute__((vector_size(32), aligned(32)));
+using EightFloats = float __attribute__((vector_size(32), aligned(32), may_alias));
 
 }  // namespace talus

@@ -53,33 +53,16 @@ TALUS_WITHIN void settle(const SweepView<size>& view, const SweptGroup<size>& gr
   const Four dn = next_n - n, dt = next_t - t;
   for (size_t c = 0; c < 4; ++c) {
     view.forces[group.contact[c]] = {next_n[c], next_t[c]};
-    const SweptRows<size>& moved = view.rows[group.moved[c]];
-    go(moved.ni, moved.si, dn[c], dt[c], view.motion[group.i[c]]);
-    go(moved.nj, moved.sj, dn[c], dt[c], view.motion[group.j[c]]);
+    move(view, group.i[c], group.j[c], group.rows[c], group.moved_begin[c], group.moved_end[c], dn[c], dt[c]);
   }
 }
 
 template <int size>
-TALUS_WITHIN void settle(const SweepView<size>& view, int number) {
-  const SweptContact<size>& contact = view.contacts[number];
-  const SweptRows<size>& rows = view.rows[contact.rows];
-  ContactForces& forces = view.forces[number];
-  const Lanes<size>&zi = view.motion[contact.i], &zj = view.motion[contact.j];
-  const double gap = contact.gap0 + view.factor * along(rows.ni, zi, rows.nj, zj);
-  if (forces.n == 0 && gap >= 0 && contact.law.cohesion == 0) return;
-  const double slide = contact.slide0 + view.factor * along(rows.si, zi, rows.sj, zj);
-  const ContactForces now = contact.law.meet(gap - contact.nn * forces.n + contact.ns * forces.t, slide - contact.ns * forces.n + contact.ss * forces.t);
-  if (now.n == forces.n && now.t == forces.t) return;
-  move(view, contact, now.n - forces.n, now.t - forces.t);
-  forces = now;
-}
-
-template <int size, class Item>
-TALUS_WITHIN void settle_in_turn(const SweepView<size>& view, const std::vector<Item>& items, bool backwards) {
+TALUS_WITHIN void settle_in_turn(const SweepView<size>& view, const std::vector<SweptGroup<size>>& groups, bool backwards) {
   if (backwards)
-    for (size_t k = items.size(); k-- > 0;) settle(view, items[k]);
+    for (size_t k = groups.size(); k-- > 0;) settle(view, groups[k]);
   else
-    for (const Item& item : items) settle(view, item);
+    for (const SweptGroup<size>& group : groups) settle(view, group);
 }
 
 }  // namespace
@@ -90,19 +73,13 @@ TALUS_WIDE void settle_all(const SweepView<first_order_dofs>& view, const std::v
 TALUS_WIDE void settle_all(const SweepView<second_order_dofs>& view, const std::vector<SweptGroup<second_order_dofs>>& groups, bool backwards) {
   settle_in_turn(view, groups, backwards);
 }
-TALUS_WIDE void settle_all(const SweepView<first_order_dofs>& view, const std::vector<int>& contacts, bool backwards) {
-  settle_in_turn(view, contacts, backwards);
-}
-TALUS_WIDE void settle_all(const SweepView<second_order_dofs>& view, const std::vector<int>& contacts, bool backwards) {
-  settle_in_turn(view, contacts, backwards);
-}
 
 template <int size>
 SweptGroup<size> SweptGroup<size>::of_nothing(int contact, int block, int rows) {
   SweptGroup group{};
   group.contact.fill(contact);
   for (auto* numbers : {&group.i, &group.j}) numbers->fill(block);
-  for (auto* numbers : {&group.rows, &group.moved}) numbers->fill(rows);
+  group.rows.fill(rows);
   group.gap0 += 1;
   group.law = FourLaws::open();
   return group;
@@ -114,7 +91,8 @@ void SweptGroup<size>::put(size_t at, int number, const SweptContact<size>& own)
   i[at] = own.i;
   j[at] = own.j;
   rows[at] = own.rows;
-  moved[at] = own.moved;
+  moved_begin[at] = own.moved_begin;
+  moved_end[at] = own.moved_end;
   gap0[at] = own.gap0;
   slide0[at] = own.slide0;
   nn[at] = own.nn;

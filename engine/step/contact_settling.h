@@ -22,6 +22,13 @@ struct alignas(64) Lanes {  // a column of a block's unknowns, filled up with ze
   Eigen::Map<ColumnOf<size>> column() { return Eigen::Map<ColumnOf<size>>(v); }
 };
 
+// Motion of a block under unit forces of a contact, in single precision, for half the memory to go through: it is for what a contact's force
+// changes by, and motions are added up from the forces every few pairs.
+template <int size>
+struct alignas(64) SweptMotion {
+  float n[(size + 7) / 8 * 8], s[(size + 7) / 8 * 8];
+};
+
 template <int size>
 TALUS_WITHIN const Eight& eight(const Lanes<size>& lanes, size_t k) {
   return reinterpret_cast<const Eight&>(lanes.v[8 * k]);
@@ -33,6 +40,15 @@ TALUS_WITHIN void go(const Lanes<size>& n, const Lanes<size>& s, double dn, doub
   for (size_t k = 0; k < std::size(motion.v) / 8; ++k) reinterpret_cast<Eight&>(motion.v[8 * k]) += dn * eight(n, k) - dt * eight(s, k);
 }
 
+template <int size>
+TALUS_WITHIN void go(const SweptMotion<size>& moved, double dn, double dt, Lanes<size>& motion) {
+  for (size_t k = 0; k < std::size(motion.v); k += 8) {
+    const Eight n = __builtin_convertvector(reinterpret_cast<const EightFloats&>(moved.n[k]), Eight),
+                s = __builtin_convertvector(reinterpret_cast<const EightFloats&>(moved.s[k]), Eight);
+    reinterpret_cast<Eight&>(motion.v[k]) += dn * n - dt * s;
+  }
+}
+
 // a·x + b·y.
 template <int size>
 TALUS_WITHIN double along(const Lanes<size>& a, const Lanes<size>& x, const Lanes<size>& b, const Lanes<size>& y) {
@@ -42,32 +58,26 @@ TALUS_WITHIN double along(const Lanes<size>& a, const Lanes<size>& x, const Lane
 }
 
 template <int size>
-struct SweptRows {  // gap and slide under unit displacements of both blocks; or their motion under unit forces
+struct SweptRows {  // gap and slide under unit displacements of both blocks; where a block's matrix is 1, its motion under unit forces
   Lanes<size> ni, nj, si, sj;
 };
 
 template <int size>
 struct SweptContact {
   int i, j;             // blocks; the last one stands for all that is held
-  int rows, moved;      // into the rows: of the contact; motion of the blocks under unit forces, the same where a block's matrix is 1
+  int rows;             // into the rows
   double gap0, slide0;  // m
   SweptLaw law;
   double nn, ns, ss;    // m/N: gap and slide under unit forces, without the contact's own compliance
-  int with_begin, with_end;
-  int contact;          // of the problem
+  int moved_begin, moved_end;  // blocks that it moves, where they are bonded to others; else its own two go along its rows
+  int contact;                 // of the problem
 };
 
-template <int size>
-struct SweptWith {  // a block that a contact moves because it hangs together with those it is on
-  int block;
-  Lanes<size> n, s;
-};
-
-// Four contacts without a block in common, which are put right together: one after the other they would wait for each other's arithmetic.
+// Four contacts that move no block in common, which are put right together: one after the other they would wait for each other's arithmetic.
 // What a group is short of is filled up with contacts of nothing.
 template <int size>
 struct SweptGroup {
-  std::array<int, 4> contact, i, j, rows, moved;
+  std::array<int, 4> contact, i, j, rows, moved_begin, moved_end;
   Four gap0, slide0, nn, ns, ss;
   FourLaws law;
 
@@ -80,25 +90,27 @@ struct SweepView {  // all that a sweep over contacts reads and writes
   const SweptContact<size>* contacts;
   int count;
   const SweptRows<size>* rows;
-  const SweptWith<size>* with;
+  const SweptMotion<size>* moved;
+  const int* moved_block;
   ContactForces* forces;  // one more than there are contacts
   Lanes<size>* motion;
   double factor;
 };
 
-// What the contact moves goes on, under so much more force.
+// What a contact moves goes on, under so much more force: the blocks that are listed, or none are and its own two do.
 template <int size>
-TALUS_WITHIN void move(const SweepView<size>& view, const SweptContact<size>& contact, double dn, double dt) {
-  const SweptRows<size>& moved = view.rows[contact.moved];
-  go(moved.ni, moved.si, dn, dt, view.motion[contact.i]);
-  go(moved.nj, moved.sj, dn, dt, view.motion[contact.j]);
-  for (int k = contact.with_begin; k < contact.with_end; ++k) go(view.with[k].n, view.with[k].s, dn, dt, view.motion[view.with[k].block]);
+TALUS_WITHIN void move(const SweepView<size>& view, int i, int j, int rows, int moved_begin, int moved_end, double dn, double dt) {
+  if (moved_begin == moved_end) {
+    const SweptRows<size>& along = view.rows[rows];
+    go(along.ni, along.si, dn, dt, view.motion[i]);
+    go(along.nj, along.sj, dn, dt, view.motion[j]);
+    return;
+  }
+  for (int k = moved_begin; k < moved_end; ++k) go(view.moved[k], dn, dt, view.motion[view.moved_block[k]]);
 }
 
-// One after the other, forwards or backwards: groups, where no contact moves more than its two blocks, or contacts.
+// One group after the other, forwards or backwards.
 void settle_all(const SweepView<first_order_dofs>& view, const std::vector<SweptGroup<first_order_dofs>>& groups, bool backwards);
 void settle_all(const SweepView<second_order_dofs>& view, const std::vector<SweptGroup<second_order_dofs>>& groups, bool backwards);
-void settle_all(const SweepView<first_order_dofs>& view, const std::vector<int>& contacts, bool backwards);
-void settle_all(const SweepView<second_order_dofs>& view, const std::vector<int>& contacts, bool backwards);
 
 }  // namespace talus

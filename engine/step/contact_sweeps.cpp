@@ -47,7 +47,8 @@ void SweepsOf<size>::start(const ContactProblem& problem) {
   factor_ = problem.contacts.factor();
   contacts_.clear();
   rows_.clear();
-  with_.clear();
+  moved_.clear();
+  moved_block_.clear();
   blocks_.clear();
   lower_.clear();
   to_own_.clear();
@@ -154,53 +155,55 @@ void SweepsOf<size>::add_link(const ContactRows& row, int contact, const std::ve
   Link& link = contacts_.emplace_back();
   link.i = place[row.i] >= 0 ? place[row.i] : held;
   link.j = place[row.j] >= 0 ? place[row.j] : held;
-  link.rows = link.moved = int(rows_.size());
+  link.rows = int(rows_.size());
   SweptRows<size>& rows = rows_.emplace_back();
   const auto in_own_axes = [&](const Row& of, int block, int dofs) {
     return block == held ? Lanes<size>{} : Lanes<size>::of(to_own_[block] * padded<size>(of, dofs));
   };
   rows = {in_own_axes(row.normal_i, link.i, row.size_i), in_own_axes(row.normal_j, link.j, row.size_j),
           in_own_axes(row.shear_i, link.i, row.size_i), in_own_axes(row.shear_j, link.j, row.size_j)};
-  link.with_begin = int(with_.size());
+  link.moved_begin = int(moved_.size());
   const auto unit = [&](int block) { return block == held || patches_[patch_of_[block]].unit; };
-  if (!unit(link.i) || !unit(link.j)) {
-    link.moved = int(rows_.size());
-    add_moved(link);
-  }
-  link.with_end = int(with_.size());
-  const SweptRows<size>&felt = rows_[link.rows], &moved = rows_[link.moved];
-  link.nn = factor_ * along(felt.ni, moved.ni, felt.nj, moved.nj);
-  link.ns = factor_ * along(felt.ni, moved.si, felt.nj, moved.sj);
-  link.ss = factor_ * along(felt.si, moved.si, felt.sj, moved.sj);
+  const SweptRows<size> moved = unit(link.i) && unit(link.j) ? rows : add_moved(link);
+  link.moved_end = int(moved_.size());
+  link.nn = factor_ * along(rows.ni, moved.ni, rows.nj, moved.nj);
+  link.ns = factor_ * along(rows.ni, moved.si, rows.nj, moved.sj);
+  link.ss = factor_ * along(rows.si, moved.si, rows.sj, moved.sj);
   link.law = SweptLaw(link.nn + 1 / row.kn, link.ns, link.ss + 1 / row.ks, row.friction, row.cohesion);
   link.contact = contact;
 }
 
-// What a contact on bonded blocks moves: all of their patches.
+// What a contact on bonded blocks moves: all of their patches. Of the motions those of its own two blocks.
 template <int size>
-void SweepsOf<size>::add_moved(const Link& link) {
+SweptRows<size> SweepsOf<size>::add_moved(const Link& link) {
   const int held = int(blocks_.size());
-  SweptRows<size> felt = rows_[link.rows];
-  SweptRows<size>& moved = rows_.emplace_back();
-  moved = {};
-  for (const auto& [block, normal, shear] : {std::tuple{link.i, &felt.ni, &felt.si}, {link.j, &felt.nj, &felt.sj}}) {
+  SweptRows<size> rows = rows_[link.rows];
+  struct Moved {
+    int block;
+    Lanes<size> n, s;
+  };
+  std::vector<Moved> all;
+  for (const auto& [block, normal, shear] : {std::tuple{link.i, &rows.ni, &rows.si}, {link.j, &rows.nj, &rows.sj}}) {
     if (block == held) continue;
     const Patch& patch = patches_[patch_of_[block]];
     for (const int other : patch.blocks) {
       const auto inverse = patch.inverse.template block<size, size>(rank_[other] * size, rank_[block] * size);
-      const Column n = inverse * normal->column(), s = inverse * shear->column();
-      Lanes<size> *to_n = other == link.i ? &moved.ni : other == link.j ? &moved.nj : nullptr,
-            *to_s = other == link.i ? &moved.si : other == link.j ? &moved.sj : nullptr;
-      if (!to_n) {
-        auto own = std::find_if(with_.begin() + link.with_begin, with_.end(), [&](const SweptWith<size>& w) { return w.block == other; });
-        if (own == with_.end()) own = with_.insert(own, {other, {}, {}});
-        to_n = &own->n;
-        to_s = &own->s;
-      }
-      to_n->column() += n;
-      to_s->column() += s;
+      auto own = std::find_if(all.begin(), all.end(), [&](const Moved& moved) { return moved.block == other; });
+      if (own == all.end()) own = all.insert(own, {other, {}, {}});
+      own->n.column() += inverse * normal->column();
+      own->s.column() += inverse * shear->column();
     }
   }
+  SweptRows<size> of_own{};
+  for (const Moved& moved : all) {
+    SweptMotion<size>& motion = moved_.emplace_back();
+    std::copy(std::begin(moved.n.v), std::end(moved.n.v), motion.n);
+    std::copy(std::begin(moved.s.v), std::end(moved.s.v), motion.s);
+    moved_block_.push_back(moved.block);
+    if (moved.block == link.i) of_own.ni = moved.n, of_own.si = moved.s;
+    if (moved.block == link.j) of_own.nj = moved.n, of_own.sj = moved.s;
+  }
+  return of_own;
 }
 
 // From one end of the island to the other: on its way a sweep takes along what it has found, where in any other order it goes from
@@ -219,20 +222,28 @@ void SweepsOf<size>::put_in_order() {
   std::stable_sort(contacts_.begin(), contacts_.end(), [&](const Link& a, const Link& b) { return place(a)[longer] < place(b)[longer]; });
 }
 
-// Rows in the order in which sweeps come by.
+// Rows and what is moved in the order in which sweeps come by.
 template <int size>
 void SweepsOf<size>::pack() {
-  std::vector<SweptRows<size>> packed;
-  packed.reserve(rows_.size());
+  std::vector<SweptRows<size>> rows;
+  std::vector<SweptMotion<size>> moved;
+  std::vector<int> moved_block;
+  rows.reserve(rows_.size() + 1);
+  moved.reserve(moved_.size());
+  moved_block.reserve(moved_.size());
   for (Link& link : contacts_) {
-    const bool apart = link.moved != link.rows;
-    packed.push_back(rows_[link.rows]);
-    link.rows = int(packed.size()) - 1;
-    if (apart) packed.push_back(rows_[link.moved]);
-    link.moved = int(packed.size()) - 1;
+    rows.push_back(rows_[link.rows]);
+    link.rows = int(rows.size()) - 1;
+    const int begin = link.moved_begin, end = link.moved_end;
+    link.moved_begin = int(moved.size());
+    moved.insert(moved.end(), moved_.begin() + begin, moved_.begin() + end);
+    moved_block.insert(moved_block.end(), moved_block_.begin() + begin, moved_block_.begin() + end);
+    link.moved_end = int(moved.size());
   }
-  packed.push_back({});
-  rows_ = std::move(packed);
+  rows.push_back({});
+  rows_ = std::move(rows);
+  moved_ = std::move(moved);
+  moved_block_ = std::move(moved_block);
 }
 
 template <int size>
@@ -291,27 +302,23 @@ void SweepsOf<size>::watch() {
   group();
 }
 
-// Those that move their two blocks alone, as they come: each into the first of the last few groups that has room for it and no block in common with it.
+// As they come: each into the first of the last few groups that has room for it and moves no block, nor a patch, that it moves.
 template <int size>
 void SweepsOf<size>::group() {
   constexpr size_t filled_at_once = 8;
   const int held = int(blocks_.size()), none = int(contacts_.size());
   groups_.clear();
-  alone_.clear();
   std::vector<size_t> filled;  // of each group
   size_t first = 0;
   for (const int k : active_) {
     const Link& link = contacts_[size_t(k)];
-    if (link.with_end > link.with_begin) {
-      alone_.push_back(k);
-      continue;
-    }
     const auto takes = [&](size_t g) {
-      const auto has = [&](int block) {
-        const SweptGroup<size>& group = groups_[g];
-        return block != held && (std::count(group.i.begin(), group.i.end(), block) > 0 || std::count(group.j.begin(), group.j.end(), block) > 0);
+      const SweptGroup<size>& group = groups_[g];
+      const auto moves = [&](int block) {
+        const auto same = [&](int other) { return patch_of_[size_t(other)] == patch_of_[size_t(block)]; };
+        return block != held && (std::any_of(group.i.begin(), group.i.end(), same) || std::any_of(group.j.begin(), group.j.end(), same));
       };
-      return filled[g] < 4 && !has(link.i) && !has(link.j);
+      return filled[g] < 4 && !moves(link.i) && !moves(link.j);
     };
     size_t g = first;
     while (g < groups_.size() && !takes(g)) ++g;
@@ -328,11 +335,9 @@ template <int size>
 void SweepsOf<size>::sweep(bool backwards) {
   if (backwards) {
     for (size_t t = tied_.size(); t-- > 0;) relax(t);
-    settle_all(view(), alone_, true);
     settle_all(view(), groups_, true);
   } else {
     settle_all(view(), groups_, false);
-    settle_all(view(), alone_, false);
     for (size_t t = 0; t < tied_.size(); ++t) relax(t);
   }
 }
@@ -374,7 +379,10 @@ void SweepsOf<size>::carry_on(const State& last, double momentum, bool anew) {
     const ContactForces now = forces_[k], before = last.forces[k];
     const ContactForces asked = {now.n + momentum * (now.n - before.n), now.t + momentum * (now.t - before.t)};
     const ContactForces carried = forces_[k] = contacts_[k].law.carried(asked);
-    if (carried.n != asked.n || carried.t != asked.t) move(view(), contacts_[k], carried.n - asked.n, carried.t - asked.t);
+    if (carried.n != asked.n || carried.t != asked.t) {
+      const Link& link = contacts_[k];
+      move(view(), link.i, link.j, link.rows, link.moved_begin, link.moved_end, carried.n - asked.n, carried.t - asked.t);
+    }
   }
   if (anew) rebuild();
 }

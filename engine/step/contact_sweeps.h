@@ -60,7 +60,7 @@ class SweepsOf : public Sweeping {
   std::vector<std::vector<Tie>> find_ties(const std::vector<int>& place) const;
   void find_patches(std::vector<std::vector<Tie>> ties);
   void add_link(const ContactRows& row, int contact, const std::vector<int>& place);
-  void add_moved(const Link& link);
+  SweptRows<size> add_moved(const Link& link);
   void put_in_order();
   void pack();
   void group();
@@ -74,16 +74,16 @@ class SweepsOf : public Sweeping {
   Change change(const State& from, const State& last) const;
   void carry_on(const State& last, double momentum, bool anew);
   void mix(const State& from, Mixing& mixing);
-  SweepView<size> view() { return {contacts_.data(), int(contacts_.size()), rows_.data(), with_.data(), forces_.data(), motion_.data(), factor_}; }
+  SweepView<size> view() { return {contacts_.data(), int(contacts_.size()), rows_.data(), moved_.data(), moved_block_.data(), forces_.data(), motion_.data(), factor_}; }
 
   std::vector<Link> contacts_;
   std::vector<SweptRows<size>> rows_;
   std::vector<ContactForces> forces_;  // of contacts_, and none at the end
   std::vector<double> gap_;     // m, of contacts_ when they were last looked at all
   std::vector<int> active_;     // contacts_ that are swept
-  std::vector<SweptGroup<size>> groups_;  // of active_, and those that are put right by themselves
-  std::vector<int> alone_;
-  std::vector<SweptWith<size>> with_;
+  std::vector<SweptGroup<size>> groups_;  // of active_
+  std::vector<SweptMotion<size>> moved_;
+  std::vector<int> moved_block_;  // whose that is
   std::vector<int> blocks_;  // of the problem, those that move
   std::vector<Matrix> lower_, to_own_;  // L and L⁻¹ of each block
   std::vector<Patch> patches_;
