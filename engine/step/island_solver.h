@@ -16,6 +16,7 @@ struct IslandResult : OpenCloseResult {  // iterations, residual: of the worst i
   long solves = 0;                       // iterations of all
   long factorisations = 0;
   double total_effort = 0;               // in factors of the whole scene
+  double split_anew = 0;                 // part of all blocks that move, in islands that only the splitting solved and that it did not before
   IslandCounts islands;
 };
 

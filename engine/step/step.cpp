@@ -100,7 +100,7 @@ StepReport Stepper::dynamic_step(double most) {
   if (fracture_) fracture_->clear_events();
   if (gas_) gas_->detonate();
   for (double dt = std::min(next_dt(), most);; dt = std::min(next_dt(), most), ++report.cuts) {
-    effort_ = released_ = 0;
+    effort_ = split_anew_ = released_ = 0;
     const Scheme scheme = this->scheme(dt);
     if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
@@ -120,6 +120,7 @@ StepReport Stepper::dynamic_step(double most) {
     bool past = false;
     double released = 0;  // J/m, by bonds that fail in this step
     std::optional<BridgeBooking> bridge_booking;
+    nearness_.clear();
     for (;; attempt.again()) {
       // 2. Candidate pairs of vertices and edges, with the state of those that go on.
       if (plan_.contacts) {
@@ -133,7 +134,6 @@ StepReport Stepper::dynamic_step(double most) {
       }
 
       // 3. Open–close: everything linear once, then contacts until their law is met.
-      nearness_.clear();
       hold_.clear();
       do {  // again with more of the candidates where one presses that was not expected to
         if (result.missed) widen();
@@ -188,7 +188,7 @@ StepReport Stepper::dynamic_step(double most) {
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
     if (gas_) gas_->end_step(dt);
-    if (dt < most) step_size_.accepted(dt, report.displacement, effort_);
+    if (dt < most) step_size_.accepted(dt, report.displacement, effort_, split_anew_);
     report.dt = dt;
     return report;
   }
@@ -337,6 +337,7 @@ IslandResult Stepper::solve(double dt, Vector& d) {
   totals_.splittings += result.splittings;
   totals_.pivots += result.pivots;
   effort_ += result.total_effort;
+  split_anew_ = std::max(split_anew_, result.split_anew);
   totals_.factorisations += result.factorisations;
   totals_.largest_iterations = std::max(totals_.largest_iterations, result.iterations);
   return result;

@@ -19,14 +19,15 @@ class StepSize {
   // An attempt whose contacts were not those that it came to meet is taken again in half of it.
   bool may_halve(double dt) const { return dt / 2 >= least_; }
   void halve(double dt) { dt_ = dt / 2; }
-  // effort: what the solution took, in factors.
-  void accepted(double dt, double displacement, double effort);
+  // effort: what the solution took, in factors. split_anew: part of what moves whose contacts only the splitting solved, where it did not before.
+  void accepted(double dt, double displacement, double effort, double split_anew);
   double least() const { return least_; }
   // The bounds come from the scene; a restart may have set others.
   template <class Visitor>  // of the registry, model/registry.h
   void visit_state(Visitor& visitor) {
     visitor("dt", dt_);
     visitor("cautious", cautious_);
+    visitor("since_split", since_split_);
     dt_ = std::min(dt_, most_);
   }
 
@@ -39,7 +40,9 @@ class StepSize {
   double worth_;      // factors, from which on a longer step does not pay
   double growth_;     // of a step that went well
   double short_enough_ = 0;  // s, not shortened for what it takes
+  bool heeds_splits_ = true;
   int cautious_ = 0;  // steps still to be grown slowly
+  int since_split_;   // steps since one that accepted() was told of with split_anew
   double every_;  // s, between outputs, which an automatic step does not pass; 0: none
 };
 
