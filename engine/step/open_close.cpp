@@ -79,7 +79,7 @@ void OpenClose::solve_equilibrium(ContactProblem& problem, const OpenCloseSettin
   result.missed = !result.converged && missed_;
 }
 
-// Sweeps, and where they are slow Newton's steps from their states, each followed by sweeps from its forces, as long as that
+// Sweeps, and where they are slow Newton's steps from their states, each followed by sweeps from its forces, a few times, as long as that
 // halves what the sweeps still change, but for once; then the splitting, from what the sweeps changed least: a step of Newton's that led away
 // takes the forces along.
 void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
