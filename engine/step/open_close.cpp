@@ -93,7 +93,7 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
   const auto pairs = [&](double part, int of_bonded) {
     return sweeps_.bonded() ? of_bonded : std::max(least_pairs, int(part * std::sqrt(blocks)));
   };
-  if (!result.converged && !missed_ && !settings.split)
+  if (!result.converged && !settings.split)
     result.converged = sweep(problem, pairs(pairs_before, pairs_before_bonded), 0, Carry::momentum, d, result) <= tolerance;
   take_states(problem);
   struct {
