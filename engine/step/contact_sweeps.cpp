@@ -333,13 +333,11 @@ void SweepsOf<size>::group() {
 
 template <int size>
 void SweepsOf<size>::sweep(bool backwards) {
-  if (backwards) {
+  if (backwards)
     for (size_t t = tied_.size(); t-- > 0;) relax(t);
-    settle_all(view(), groups_, true);
-  } else {
-    settle_all(view(), groups_, false);
+  settle_all(view(), groups_, backwards);
+  if (!backwards)
     for (size_t t = 0; t < tied_.size(); ++t) relax(t);
-  }
 }
 
 template <int size>
