@@ -252,12 +252,14 @@ void ContactSearch::find_surface(const Model& model) {
   bond_corners(model, bonded_);
   find_outlines(model);
   surface_blocks_.clear();
+  surface_.convex.clear();
   surface_.plain.clear();
   for (size_t b = 0; b < model.shapes.size(); ++b) {
     const auto edges = std::span(surface_.free_edge).subspan(size_t(model.shapes[b].vertex_begin), size_t(model.vertex_count(int(b))));
     const auto free = std::count(edges.begin(), edges.end(), 1);
     if (free > 0) surface_blocks_.push_back(int(b));
-    surface_.plain.push_back(size_t(free) == edges.size() && convex(model, int(b)));
+    surface_.convex.push_back(convex(model, int(b)));
+    surface_.plain.push_back(size_t(free) == edges.size() && surface_.convex.back());
   }
 }
 

@@ -41,7 +41,8 @@ class NearBlocks {
 struct Surface {
   std::vector<int> joint;          // open joint whose face begins here, or -1
   std::vector<char> free_edge;     // no intact joint covers the edge that begins here; others cannot touch
-  std::vector<char> plain;         // by block: convex, and all its edges are free
+  std::vector<char> convex;        // by block
+  std::vector<char> plain;         // convex, and all its edges are free
   std::vector<int> ahead, behind;  // outline's next and last corner, of a block of the same body round this one: what the
                                    // body is at a corner, of which one block is only a part
 };

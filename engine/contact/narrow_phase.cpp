@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "contact/detection.h"
@@ -25,6 +26,8 @@ constexpr double flush_part = 1e-4;
 constexpr double grazing_slope = 0.1;  // it moves along the face, not onto it
 // What comes to the line of an edge farther than this beyond the edge's ends passes it by, in units of the smaller block's √area.
 constexpr double beside_part = passing_tolerance;
+// A contact that is less deep than this part of what blocks lie in each other does not stand for that.
+constexpr double known_part = 0.5;
 
 double spin(const Model& model, int block) { return model.blocks[block].velocity[2] / model.shapes[block].length; }  // rad/s
 
@@ -55,6 +58,8 @@ class Pair {
 
   bool free(int block, int edge) const { return surface_.free_edge[model_.shapes[block].vertex_begin + edge]; }
   bool exposed(int block, int v) const { return free(block, v) || free(block, previous(block, v)); }
+  // Or the block has no more than a corner where the outline of its body comes by.
+  bool on_outline(int block, int v) const { return exposed(block, v) || surface_.free_edge[size_t(surface_.behind[size_t(global(block, v))])]; }
 
   // The outline's directions away from the corner `v` of `block`, forwards and backwards, of the whole body there: a node
   // on the flat side of a mesh is no corner, though the block is.
@@ -141,6 +146,8 @@ class Pair {
     };
     return before_a_face(i_, j_) || before_a_face(j_, i_);
   }
+
+  bool both_convex() const { return surface_.convex[size_t(i_)] && surface_.convex[size_t(j_)]; }
 
   // Whether the outline turns inwards at corner `v` of `block`.
   bool inner(int block, int v) const {
@@ -371,6 +378,30 @@ void drop_twins(const Pair& pair, size_t first, std::vector<Contact>& found) {
   }
 }
 
+// Where blocks lie in each other and none of these contacts is as deep, as with thin tips that have gone through each other, they stand by the
+// face that is to be left by the shortest way: of convex polygons one of all faces separates them, or the one they are least deep below.
+void least_deep(const Pair& pair, const Model& model, size_t first, std::vector<Contact>& found) {
+  if (!pair.both_convex()) return;
+  struct {
+    int bv = -1, v = 0, be = 0, e = 0;
+    double gap = -std::numeric_limits<double>::infinity();
+  } least;
+  for (const auto& [bv, be] : {std::pair(pair.i(), pair.j()), {pair.j(), pair.i()}})
+    for (int e = 0; e < model.vertex_count(be); ++e) {
+      const Face& face = pair.edge(be, e);
+      int deepest = 0;
+      for (int v = 1; v < model.vertex_count(bv); ++v)
+        if (face.gap(pair.vertex(bv, v)) < face.gap(pair.vertex(bv, deepest))) deepest = v;
+      const double gap = face.gap(pair.vertex(bv, deepest));
+      if (gap >= -pair.meeting()) return;
+      if (gap > least.gap) least = {bv, deepest, be, e, gap};
+    }
+  const auto knows = [&](const Contact& c) { return c.gap <= known_part * least.gap; };
+  if (std::any_of(found.begin() + long(first), found.end(), knows)) return;
+  if (pair.free(least.be, least.e) && pair.on_outline(least.bv, least.v))
+    found.push_back(pair.contact(least.bv, least.v, least.be, least.e, least.gap, true));
+}
+
 }  // namespace
 
 void find_contacts(const Model& model, const Surface& surface, const Faces& faces, int a, int b, double dt, std::vector<Contact>& found,
@@ -388,6 +419,7 @@ void find_contacts(const Model& model, const Surface& surface, const Faces& face
     for (int w = 0; w < model.vertex_count(b); ++w)
       if (pair.exposed(b, w)) corner_on_corner(pair, v, w, first, found, meeting);
   drop_twins(pair, first, found);
+  least_deep(pair, model, first, found);
 }
 
 double meeting_distance(const Model& model, int a, int b) {

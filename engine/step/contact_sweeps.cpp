@@ -427,17 +427,18 @@ void SweepsOf<size>::take(const std::vector<double>& normal, const std::vector<d
 }
 
 template <int size>
-Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry carry, std::vector<double>& normal,
-                                           std::vector<double>& shear, Vector& d) {
+Sweeping::Progress SweepsOf<size>::run(const End& end, Carry carry, std::vector<double>& normal, std::vector<double>& shear, Vector& d) {
   take(normal, shear, d);
   watch();
+  state_.assign(contacts_.size(), 0);
+  changed_states();
   State from, last{forces_, bond_, motion_};  // before the present pair; after the one before it
   Progress progress;
   Mixing mixing;
   double theta = 1, before = 0;
   double decade = 0;  // change ten pairs ago
   int since = 0;
-  while (progress.pairs < most) {
+  while (progress.pairs < end.most) {
     from.forces = forces_;
     from.bond = bond_;
     sweep(false);
@@ -446,15 +447,16 @@ Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry
     const Change now = change(from, last);
     progress.change = now.level > 0 ? std::sqrt(now.change / now.level) : 0;
     progress.moved = std::sqrt(now.change);
-    if (progress.pairs == most) break;
-    const bool ends = progress.change <= enough;
-    if (ends && active_.size() == contacts_.size()) break;
-    if (ends || progress.pairs % rebuilt_every == 0) {
+    if (progress.pairs == end.most) break;
+    const bool done = progress.change <= end.enough;
+    if (done && active_.size() == contacts_.size()) break;
+    if (done || progress.pairs % rebuilt_every == 0) {
       watch();
-      if (ends && none_closes()) break;
+      if (done && none_closes()) break;
     }
-    if (progress.pairs % 10 == 0) {
-      if (worth > 0 && decade > 0 && !(progress.change < decade * std::pow(enough / progress.change, 10.0 / worth))) break;
+    if (end.worth > 0 && progress.pairs % 10 == 0) {
+      const bool on_the_way = decade == 0 || progress.change < decade * std::pow(end.enough / progress.change, 10.0 / end.worth);
+      if (const int changed = changed_states(); !on_the_way && changed <= end.changing) break;
       decade = progress.change;
     }
     if (carry == Carry::mixing) {
@@ -489,6 +491,18 @@ Sweeping::Progress SweepsOf<size>::run(int most, double enough, int worth, Carry
     d.segment(problem_->dof_begin[blocks_[l]], dofs) = motion.head(dofs);
   }
   return progress;
+}
+
+template <int size>
+int SweepsOf<size>::changed_states() {
+  int changed = 0;
+  for (const int contact : active_) {
+    const auto k = size_t(contact);
+    const char state = contacts_[k].law.state(forces_[k]);
+    changed += state != state_[k];
+    state_[k] = state;
+  }
+  return changed;
 }
 
 // Of contacts without force, all of which were looked at just now.

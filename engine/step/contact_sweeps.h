@@ -18,6 +18,14 @@ namespace talus {
 class Sweeping {
  public:
   enum class Carry { momentum, mixing };
+  struct End {
+    int most;       // pairs: a sweep forwards and one backwards
+    double enough;  // change of the forces, part of their norm
+    // > 0: earlier where they are not on the way to be done within so many pairs more, as soon as no more than `changing` contacts have come
+    // to another state in ten pairs.
+    int worth = 0;
+    int changing = 0;
+  };
   struct Progress {
     int pairs = 0;
     double change = 0;  // of the last pair, part of the norm of all forces
@@ -32,7 +40,7 @@ template <int size>
 class SweepsOf : public Sweeping {
  public:
   void start(const ContactProblem& problem);
-  Progress run(int most, double enough, int worth, Carry carry, std::vector<double>& normal, std::vector<double>& shear, Vector& d);
+  Progress run(const End& end, Carry carry, std::vector<double>& normal, std::vector<double>& shear, Vector& d);
   bool bonded() const;
 
  private:
@@ -69,6 +77,7 @@ class SweepsOf : public Sweeping {
   void rebuild();  // motion_ from the forces
   void watch();    // sets active_
   bool none_closes() const;
+  int changed_states();  // since it was last asked
   void sweep(bool backwards);
   struct Change;
   Change change(const State& from, const State& last) const;
@@ -79,6 +88,7 @@ class SweepsOf : public Sweeping {
   std::vector<Link> contacts_;
   std::vector<SweptRows<size>> rows_;
   std::vector<ContactForces> forces_;  // of contacts_, and none at the end
+  std::vector<char> state_;     // of contacts_, as changed_states() left them
   std::vector<double> gap_;     // m, of contacts_ when they were last looked at all
   std::vector<int> active_;     // contacts_ that are swept
   std::vector<SweptGroup<size>> groups_;  // of active_
@@ -100,12 +110,9 @@ class ContactSweeps : public Sweeping {
   // Takes the blocks of the problem and the contacts on them. O(blocks + contacts).
   void start(const ContactProblem& problem);
 
-  // Sweeps, forwards and backwards, from the forces (N; per contact of the step), at most `most` of each, until the
-  // forces change by no more than `enough` of their norm. d: unknowns, from which the forces between patches start. With `worth`
-  // > 0 gives up early where they are not on the way to be done within so many pairs more.
-  Progress run(int most, double enough, int worth, Carry carry, std::vector<double>& normal, std::vector<double>& shear, Vector& d) {
-    return second_order_ ? second_.run(most, enough, worth, carry, normal, shear, d)
-                         : first_.run(most, enough, worth, carry, normal, shear, d);
+  // From the forces (N; per contact of the step). d: unknowns, from which the forces between patches start.
+  Progress run(const End& end, Carry carry, std::vector<double>& normal, std::vector<double>& shear, Vector& d) {
+    return second_order_ ? second_.run(end, carry, normal, shear, d) : first_.run(end, carry, normal, shear, d);
   }
 
   // Whether most patches hang together with others: then sweeps are slow, and dear.

@@ -39,6 +39,7 @@ IslandResult IslandSolver::solve(const Model& model, const System& system, const
   result.converged = true;
   Vector start;
   start.swap(d);
+  if (reached_.empty()) reached_.assign(model.contacts.size(), {-1, 0});
   d.setZero(system.force.size());
   const int moving = int(std::count_if(model.shapes.begin(), model.shapes.end(), [](const BlockShape& shape) { return shape.dofs > 0; }));
   const Step step{model, system, contacts, settings, dt, start, moving};
@@ -59,6 +60,7 @@ IslandResult IslandSolver::solve(const Model& model, const System& system, const
     }
   }
   if (result.converged) watch(step, d, result);
+  if (!result.missed) reached_.clear();
   if (result.converged) {
     std::erase_if(kept_, [this](const auto& entry) { return entry.second->solve != solve_; });
     std::erase_if(standing_, [this](const Standing& standing) { return standing.solve != solve_; });
@@ -136,8 +138,11 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
   ContactProblem& problem = kept->problem;
   problem.take(step.model, step.system, step.contacts, islands_.blocks(island), islands_.rows(island), place_);
   problem.take_matrix(step.system, place_);
+  const auto& rows = problem.contacts.rows();
   Vector own_d;
+  std::vector<ContactForces> reached;
   if (step.start.size() > 0) {
+    for (const ContactRows& row : rows) reached.push_back(reached_[size_t(row.contact)]);
     own_d.resize(problem.system.force.size());
     for (size_t l = 0; l < problem.blocks.size(); ++l)
       own_d.segment(problem.dof_begin[l], problem.dofs[l]) =
@@ -147,7 +152,7 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
   OpenCloseSettings settings = step.settings;
   Standing standing = standing_of(islands_.first(island), problem);
   settings.split = standing.splits % splits_in_a_row > 0;
-  OpenCloseResult own = open_close_.solve(problem, settings, own_d);
+  OpenCloseResult own = open_close_.solve(problem, settings, own_d, reached);
   std::erase_if(standing_, [&](const Standing& old) { return old.first == standing.first; });
   if (own.split) {
     ++standing.splits;
@@ -177,7 +182,9 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
   result.converged = false;
   result.missed = own.missed;
   result.singular_block = own.singular_block;
-  if (own.missed) missed_.insert(missed_.end(), problem.blocks.begin(), problem.blocks.end());
+  if (!own.missed) return;
+  missed_.insert(missed_.end(), problem.blocks.begin(), problem.blocks.end());
+  for (size_t k = 0; k < rows.size(); ++k) reached_[size_t(rows[k].contact)] = open_close_.forces(k);
 }
 
 // Contacts that no island was solved with: they tie two of them, or press on a block taken for single.

@@ -77,6 +77,7 @@ class IslandSolver {
   std::vector<Rest> at_rest_;    // per island
   std::vector<char> converged_;  // per island
   std::vector<int> place_, missed_;
+  std::vector<ContactForces> reached_;  // per contact, by solutions that missed others; n < 0: none
   OpenClose open_close_;
   ContactProblem judged_;
   struct Kept {

@@ -7,6 +7,7 @@
 // normal force, is below its tolerance in every block: not when the states have stopped flipping.
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "step/contact_problem.h"
 #include "step/contact_splitting.h"
@@ -45,8 +46,10 @@ struct OpenCloseSettings {
 
 class OpenClose {
  public:
-  // Solves for d, from where it is, or where it is empty from the contacts' last states and forces.
-  OpenCloseResult solve(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d);
+  // Solves for d, from where it is, or where it is empty from the contacts' last states and forces. `reached`, per contact: in motion, where
+  // a solution that missed contacts had come to (`forces`), or n < 0 where d tells it.
+  OpenCloseResult solve(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, std::span<const ContactForces> reached = {});
+  ContactForces forces(size_t contact) const { return {normal_[contact], shear_[contact]}; }  // of the last sweeps
   // Residual at d = 0 without solving.
   OpenCloseResult judge(const ContactProblem& problem);
   // Residual at d, as solve() has it.
@@ -58,8 +61,7 @@ class OpenClose {
   void start(const ContactProblem& problem);
   void evaluate(const ContactProblem& problem, const Vector& d);
   void residual(const ContactProblem& problem, bool coupled, Vector& r) const;
-  double sweep(const ContactProblem& problem, int most, int worth, ContactSweeps::Carry carry, Vector& d,
-               OpenCloseResult& result);
+  double sweep(const ContactProblem& problem, const ContactSweeps::End& end, ContactSweeps::Carry carry, Vector& d, OpenCloseResult& result);
   void take_states(const ContactProblem& problem);
   void forces_at_present(const ContactProblem& problem);
   void take_forces(const ContactProblem& problem);

@@ -55,7 +55,7 @@ struct Swept {
     normal.assign(model.contacts.size(), 0);
     shear = normal;
     d.setZero(model.dofs);
-    progress = sweeps.run(2000, 1e-15, 0, carry, normal, shear, d);
+    progress = sweeps.run({.most = 2000, .enough = 1e-15}, carry, normal, shear, d);
   }
   double gap(size_t k) const {
     const ContactRows& row = terms.rows()[k];

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <random>
 #include <set>
 
 #include "contact/detection.h"
@@ -122,6 +124,72 @@ TEST(Contacts, NotThroughTheFarSide) {
   const Model model = searched({{{-3, -0.22}, {1, -0.02}, {-3, -0.02}}, {{0, 0}, {4, 0}, {4, 0.2}}});
   EXPECT_EQ(pairs_of(model), (Pairs{{0, 1}, {1, 0}}));
   for (const Contact& c : model.contacts) EXPECT_NEAR(c.gap, 0.02, 1e-12);
+}
+
+// m, by which a convex polygon is in front of the best of the faces of another; negative: how deep the other is below all of them.
+double before_a_face(const Polyline& polygon, const Polyline& other) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (size_t k = 0; k < other.size(); ++k) {
+    const Vec2 along = (other[(k + 1) % other.size()] - other[k]).normalized();
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec2& p : polygon) least = std::min(least, cross(p - other[k], along));
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+// Two blocks that were apart at first, after a search where they overlap.
+Model overlapping(const Polyline& a, const Polyline& b) {
+  const Vec2 far(0, 100);
+  Model model = searched({a, moved(b, far)});
+  model.blocks[1].centroid -= far;
+  model.place_vertices();
+  ContactSearch search;
+  search.update(model, 0);
+  return model;
+}
+
+double deepest_contact(const Model& model) {
+  double least = 0;
+  for (const Contact& c : model.contacts) least = std::min(least, c.gap);
+  return least;
+}
+
+// Two tips, each of which has its point beyond the far side of the other.
+TEST(Contacts, TipsThatHaveGoneThroughEachOther) {
+  const Polyline a = {{0, 0}, {4, 0.2}, {0, 0.4}}, b = {{3.98, 0.19}, {4.18, 4.19}, {3.78, 4.19}};
+  const double depth = -std::max(before_a_face(a, b), before_a_face(b, a));
+  ASSERT_GT(depth, 0.005);
+  const Model model = overlapping(a, b);
+  ASSERT_EQ(model.contacts.size(), 1u);
+  EXPECT_NEAR(model.contacts[0].gap, -depth, 1e-12);
+  EXPECT_NEAR(model.contacts[0].offset, depth, 1e-12);
+}
+
+// However convex blocks have come to lie in each other, one of their contacts knows of it.
+TEST(Contacts, NoneOverlapWithoutAContact) {
+  std::mt19937 random(7);
+  const auto between = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
+  const auto polygon = [&] {
+    const int corners = 3 + int(between(0, 3));
+    const double turn = between(0, 6.3), thin = between(0.05, 1);
+    Polyline points;
+    for (int k = 0; k < corners; ++k) {
+      const double a = 6.283 * (k + between(-0.3, 0.3)) / corners;
+      points.push_back(Eigen::Rotation2Dd(turn) * Vec2(std::cos(a), thin * std::sin(a)));
+    }
+    return points;
+  };
+  int pairs = 0;
+  for (int n = 0; n < 4000; ++n) {
+    const Polyline a = polygon(), b = moved(polygon(), {between(-2, 2), between(-2, 2)});
+    const double depth = -std::max(before_a_face(a, b), before_a_face(b, a));
+    const double size = std::sqrt(std::min(signed_area(a), signed_area(b)));
+    if (depth < 0.002 * size || depth > 0.5 * size) continue;
+    ++pairs;
+    EXPECT_LT(deepest_contact(overlapping(a, b)), -0.49 * depth) << "pair " << n << ", depth " << depth / size;
+  }
+  EXPECT_GT(pairs, 500);
 }
 
 // A block in the notch of a U touches its floor and walls from within, not the outside of the walls.
