@@ -1,5 +1,5 @@
 -- The cast blast of the paper's section 4: a hole under 1 GPa of gas, its chamber, the cracks, the throw and the pile in one run.
--- Run: scripts/run examples/11_cast_blast.lua                        (15 to 30 minutes; damped as said below, to 5 s: the pile at rest)
+-- Run: scripts/run examples/11_cast_blast.lua                        (about a quarter of an hour; damped as said below, to 5 s: the pile at rest)
 --      scripts/run examples/11_cast_blast.lua -p near=0.09 -p far=0.8   a coarse mesh, three minutes to its pile
 --      scripts/run examples/11_cast_blast.lua -p damped=false        undamped, a quarter of an hour to 3.62 s: the rock flies on
 --      scripts/run examples/11_cast_blast.lua -p t_end=0.03          the gas phase alone, two minutes
