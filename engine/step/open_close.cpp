@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 namespace talus {
@@ -51,7 +50,10 @@ OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSetting
     arrive(problem, d, result);
     forces_at_present(problem);
     for (size_t k = 0; k < reached.size(); ++k)
-      if (reached[k].n >= 0) std::tie(normal_[k], shear_[k]) = std::tie(reached[k].n, reached[k].t);
+      if (reached[k].n >= 0) {
+        normal_[k] = reached[k].n;
+        shear_[k] = reached[k].t;
+      }
     if (settings.motion && !missed_ && result.residual <= settings.tolerance) {  // what was sought again concerns others
       result.converged = true;
       return result;
@@ -121,10 +123,9 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
     take_states(problem);
   };
   int rounds = 0, in_vain = settings.split ? most_in_vain + 1 : 0, left = 0;  // pairs before the first round
-  if (settings.split) {
-    swept(3 * worth, any);
-  } else {
-    left = std::max(3 * worth, least_pairs + pairs(pairs_before, pairs_before_bonded));
+  swept(3 * worth, any);
+  if (!result.converged && !settings.split) {
+    left = pairs(pairs_before, pairs_before_bonded);
     left -= swept(left, int(still_changing * count));
   }
   keep_least();

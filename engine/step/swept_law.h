@@ -28,17 +28,18 @@ struct SweptLaw {
   }
   // `forces` cut to what the contact can carry.
   ContactForces carried(ContactForces forces) const {
-    const double n = std::max(0.0, forces.n), limit = (n > 0 ? friction * n : 0) + cohesion;
-    return {n, std::clamp(forces.t, -limit, limit)};
+    const double n = std::max(0.0, forces.n), most = limit(n);
+    return {n, std::clamp(forces.t, -most, most)};
   }
   // 0 open, 1 sticks, 2 and 3 slips either way.
   char state(ContactForces forces) const {
     if (!(forces.n > 0)) return 0;
-    if (std::abs(forces.t) < (1 - 1e-12) * (friction * forces.n + cohesion)) return 1;
+    if (std::abs(forces.t) < (1 - 1e-12) * limit(forces.n)) return 1;
     return forces.t > 0 ? 2 : 3;
   }
 
  private:
+  double limit(double n) const { return (n > 0 ? friction * n : 0) + cohesion; }
   ContactForces slide_or_open(double gap0, double slide0, ContactForces stuck) const;
 };
 
