@@ -45,6 +45,8 @@ void carry(const Contact& from, Contact& to) {
   to.offset = from.offset;
   to.normal_force = from.normal_force;
   to.shear_force = from.shear_force;
+  to.may_part = from.may_part;
+  to.parts = from.parts;
   to.load_shear = from.load_shear;
   to.load_slip = from.load_slip;
 }

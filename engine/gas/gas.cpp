@@ -159,6 +159,7 @@ double Gas::mean_pressure(const Chamber& chamber, double volume) const {
 
 void Gas::begin_step(double dt) {
   dt_ = dt;
+  gives_up_ = false;
   model_.gas_faces.clear();
   for (size_t c = 0; c < chambers_.size(); ++c) {
     const Chamber& chamber = chambers_[c];
@@ -195,7 +196,8 @@ bool Gas::agrees(const std::vector<BlockState>& moved) {
     guess.offset = volume - guess.slope * guess.pressure;
     ++guess.solves;
     const double wanted = mean_pressure(chamber, volume);
-    if (std::abs(wanted - guess.pressure) <= close_enough * std::abs(wanted) || guess.solves >= most_solves) continue;
+    if (std::abs(wanted - guess.pressure) <= close_enough * std::abs(wanted)) continue;
+    gives_up_ = gives_up_ || guess.solves >= most_solves;
     all = false;
     double better = wanted;
     for (int k = 0; k < most_solves; ++k)

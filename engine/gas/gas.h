@@ -58,6 +58,8 @@ class Gas {
   // After a solve that leads to `moved`: whether the pressures it was made with are those of the volumes it leads to. If not,
   // they are better now.
   bool agrees(const std::vector<BlockState>& moved);
+  // Whether they were sought for too long: a shorter step is called for.
+  bool gives_up() const { return gives_up_; }
   // The step is accepted: volumes and pressures, then the front goes on, chambers meet and vent.
   void end_step(double dt);
 
@@ -106,6 +108,7 @@ class Gas {
   };
   std::vector<Guess> guess_;
   double dt_ = 0;
+  bool gives_up_ = false;
   std::vector<GasEvent> events_;
 };
 

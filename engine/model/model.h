@@ -177,6 +177,8 @@ struct Contact {
   double stretch = 0;                 // m, elastic part of the sliding: shear force / shear stiffness; until end_sliding() all of it
   double slip = 0;                    // m, plastic part, accumulated along the edge
   double normal_force = 0, shear_force = 0;  // N; normal positive when pressed together
+  double may_part = -1;               // m/s, the most at which what presses here may part, by its restitution; < 0: no bound yet
+  bool parts = false;                 // has parted since that bound was set
   // N, m: of a static run, at the end of the last load step; no number: has taken over from another contact since.
   double load_shear = 0, load_slip = 0;
   // What the contact cannot hold of its sliding is slip: at the end of a step; of a load step, where friction goes by the way from

@@ -172,7 +172,7 @@ void visit_state(Strength& strength, StateVisitor& v) {
 
 void visit_state(Contact& contact, StateVisitor& v) {
   auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset,
-         stretch, slip, normal_force, shear_force, load_shear, load_slip, global_vertex, global_edge] = contact;
+         stretch, slip, normal_force, shear_force, may_part, parts, load_shear, load_slip, global_vertex, global_edge] = contact;
   v("i", i);
   v("vertex", vertex);
   v("j", j);
@@ -190,6 +190,8 @@ void visit_state(Contact& contact, StateVisitor& v) {
   v("slip", slip);
   v("normal_force", normal_force);
   v("shear_force", shear_force);
+  v("may_part", may_part);
+  v("parts", parts);
   v("load_shear", load_shear);
   v("load_slip", load_slip);
   v("global_vertex", global_vertex);
@@ -206,7 +208,7 @@ void visit_state(Material& material, StateVisitor& v) {
 
 void visit_state(JointProperty& property, StateVisitor& v) {
   [[maybe_unused]] auto& [place, name, friction, cohesion, tension, bond, penalty, stiffness_kind, stiffness,
-                          shear_ratio, breaks, residual, criterion, reduction, softening_compliance, shear_compliance,
+                          shear_ratio, restitution, breaks, residual, criterion, reduction, softening_compliance, shear_compliance,
                           weibull, seed] = property;
   // criterion, reduction with its compliances: settled by the script; weibull, seed: see Joint::scatter
   v("friction", friction);
@@ -217,6 +219,7 @@ void visit_state(JointProperty& property, StateVisitor& v) {
   v("stiffness_kind", stiffness_kind);
   v("stiffness", stiffness);
   v("shear_ratio", shear_ratio);
+  v("restitution", restitution);
   v.constant("breaks", breaks);
   v("residual", residual);
 }

@@ -52,8 +52,10 @@ Plan make_plan(const Model& model) {
   plan.moving_supports = std::any_of(scene.fixities.begin(), scene.fixities.end(), [](const Fixity& fixity) {
     return fixity.motion != Fixity::none || fixity.spin != 0;
   });
-  plan.damping = plan.dynamic && (scene.numerics.damping || (scene.numerics.integrator == Integrator::newmark &&
-                                                              scene.numerics.dynamic_parameter < 1));
+  plan.restitution = plan.dynamic && plan.contacts &&
+                     std::any_of(scene.properties.begin(), scene.properties.end(), [](const JointProperty& p) { return p.restitution < 1; });
+  plan.damping = plan.restitution || (plan.dynamic && (scene.numerics.damping || (scene.numerics.integrator == Integrator::newmark &&
+                                                              scene.numerics.dynamic_parameter < 1)));
   plan.held_blocks = std::any_of(model.shapes.begin(), model.shapes.end(), [](const auto& s) { return s.dofs == 0; });
   plan.recovery = scene.numerics.recovery && plan.bonds;
 
@@ -81,7 +83,7 @@ Plan make_plan(const Model& model) {
   line(plan.fracture, "fracture", count_text(size_t(breakable_count), "bond") + " that can fail");
   plan.gas = !model.hole_walls.empty() && plan.dynamic;
   line(plan.gas, "gas", count_text(model.hole_walls.size(), "charge"));
-  line(plan.contacts, "contacts", "search, open-close, Coulomb friction");
+  line(plan.contacts, "contacts", std::string("search, open-close, Coulomb friction") + (plan.restitution ? ", limited restitution" : ""));
   line(plan.fixities, "fixities", count_text(model.edge_fixities.size(), "edge") + ", " +
                                       count_text(model.point_fixities.size(), "point"));
   line(plan.viscous, "viscous boundaries", count_text(model.viscous_edges.size(), "edge") +

@@ -41,6 +41,7 @@ struct JointProperty {
   StiffnessKind stiffness_kind = StiffnessKind::per_length;
   double stiffness = 100;    // contacts and spring bonds. per_length: alpha in alpha E/h; per_area: Pa/m; per_contact: N/m
   double shear_ratio = 0.4;  // shear stiffness / normal stiffness of contacts and spring bonds
+  double restitution = 1;    // the most of the speed at which faces met with which they part
   bool breaks = false;       // its bonds have a strength: the three above; without one they hold for ever
   Strength residual;         // of a failed bond, where there is no `reduction`
   FailureCriterion criterion;  // empty: Mohr–Coulomb with tension cut-off

@@ -91,6 +91,7 @@ JointProperty read_property(const TableReader& t) {
             p.stiffness_kind);
   t.read("stiffness", p.stiffness);
   t.read("shear_ratio", p.shear_ratio);
+  t.read("restitution", p.restitution);
   t.read("breaks", p.breaks);
   p.residual.friction = p.friction;
   t.read("residual_friction", p.residual.friction);

@@ -13,6 +13,7 @@
 #include "step/damping.h"
 #include "step/overlooked.h"
 #include "step/part_timer.h"
+#include "step/restitution.h"
 #include "step/restored.h"
 #include "step/step_change.h"
 #include "step/update.h"
@@ -141,7 +142,7 @@ StepReport Stepper::dynamic_step(double most) {
         if (on_assembled) on_assembled(scheme, system_, contacts_);
         result = solve(dt, d);
       } while (result.missed || (result.converged && !settled(scheme, d)));
-      if (bridge_motion_.gives_up()) result.converged = false;
+      if (bridge_motion_.gives_up() || (gas_ && gas_->gives_up())) result.converged = false;
       report.iterations = result.iterations;
       report.residual = result.residual;
       if (!result.converged) break;
@@ -173,6 +174,8 @@ StepReport Stepper::dynamic_step(double most) {
 
     // 7. The step is accepted: geometry, velocities, contact and joint states.
     const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved, dt) : std::vector<double>{};
+    std::optional<Restitution> restitution;
+    if (plan_.restitution) restitution.emplace(model_, contacts_);
     accept(std::move(moved), scheme, d, contacts_at_start(attempt.vertex_before(), attempt.ahead_before(), dt));
     count(result);
     attempt.keep();
@@ -184,6 +187,7 @@ StepReport Stepper::dynamic_step(double most) {
       if (report.failures > 0) step_size_.broken(model_);
     }
     if (numerics.sleeping && report.failures == 0) sleep_.fall_asleep(model_, islands_, search_.near());
+    if (restitution) ledger_.damping_work += restitution->limit(model_, contacts_, scheme);
     ledger_.damping_work += damp(model_, kept);
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
@@ -238,7 +242,7 @@ int Stepper::initial_cracks() {
 // The gas gives way as the rock does: else the same again with the pressure of the volume that d leads to. And with the branches of
 // softening laws that it leads to.
 bool Stepper::settled(const Scheme& scheme, const Vector& d) {
-  if (gas_ && !gas_->agrees(moved_blocks(model_, scheme, d))) return false;
+  if (gas_ && !gas_->agrees(moved_blocks(model_, scheme, d))) return gas_->gives_up();
   return !bridge_motion_.any() || bridge_motion_.gives_up() || bridge_motion_.agrees(d);
 }
 
@@ -488,6 +492,17 @@ void Stepper::give_up(const OpenCloseResult& result, double dt) const {
   if (result.singular_block >= 0) {
     std::snprintf(text, sizeof text, "nothing holds %s: fix it, put it on something, or run the scene as dynamic",
                   block_name(model_, result.singular_block).c_str());
+    throw RunError(text);
+  }
+  if (result.converged) {
+    std::snprintf(text, sizeof text,
+                  "t = %.9g s: in a step of %.3g s a block would move farther than time.displacement_ratio, or where time.dt is given the thinnest "
+                  "block, allows, and time.dt_min lets none be shorter: give a smaller one, or a larger ratio",
+                  model_.time, dt);
+    throw RunError(text);
+  }
+  if (gas_ && gas_->gives_up()) {
+    std::snprintf(text, sizeof text, "t = %.9g s: no step down to %.3g s has a gas pressure that agrees with the volume it leads to", model_.time, dt);
     throw RunError(text);
   }
   if (!std::isfinite(result.residual)) {

@@ -24,7 +24,7 @@ end
 -- A joint that stands for contacts or bonds of rock with Young's modulus `young`.
 function flatten.joint(joint, name, chosen, young)
   local flat = { place = object.place(joint), name = name }
-  for _, field in ipairs { "friction", "cohesion", "tension", "bond", "penalty", "shear_ratio" } do
+  for _, field in ipairs { "friction", "cohesion", "tension", "bond", "penalty", "shear_ratio", "restitution" } do
     flat[field] = profile.joint_value(joint, field, chosen)
   end
   laws.flatten(joint, flat)
