@@ -116,9 +116,9 @@ do
       before = v
     end
   end
-  talus.check.above("plate in pieces: steps of 100 in which no two of them press each other", open, 50)
-  talus.check.below("plate in pieces: V/V0 at the first of these", grown[1], 1.7)
-  talus.check.above("plate in pieces: V/V0 at the last", grown[2], 5)
+  talus.check.above("plate in pieces: steps of 100 in which no two of them press each other", open, 30)
+  talus.check.below("plate in pieces: V/V0 at the first of these", grown[1], 2)
+  talus.check.above("plate in pieces: V/V0 at the last", grown[2], 4)
   talus.check.near("plate in pieces: room, hull less blocks, most off in these", off, 0, { abs = 1e-10 })
   talus.check.near("a block with gas all around: change of momentum in a step over P Δt 0.4 m", push, 0, { abs = 1e-10 })
 end
@@ -231,10 +231,11 @@ do
 end
 
 -- Three layers that part, the joint between the upper two 0.5 m over the hole and open as wide as the other. It stays dry, though the gas
--- could be there at once, until a crack leads to it.
-for _, linked in ipairs { false, true } do
-  local P, speed, dt = 1*u.MPa, 5, 2e-5
-  local cuts = { talus.trace { points = {{-1, 0.5}, {3, 0.5}} }, talus.trace { points = {{-1, 1}, {3, 1}} } }
+-- could be there at once, be it a real joint or a bond that fails in the first steps, until a crack leads to it.
+for _, case in ipairs { "a real joint", "a failed bond", "linked" } do
+  local P, speed, dt, linked, bond = 1*u.MPa, 5, 2e-5, case == "linked", case == "a failed bond"
+  local weak = talus.joint { friction = 30*u.deg, cohesion = 1*u.kPa, tension = 1*u.kPa }
+  local cuts = { talus.trace { points = {{-1, 0.5}, {3, 0.5}} }, talus.trace { points = {{-1, 1}, {3, 1}}, bonded = bond, joint = weak } }
   if linked then cuts[3] = talus.trace { points = {{1, 0.5}, {1, 1}} } end
   local sim = talus.simulation {
     regions = { talus.region { name = "layers", outline = talus.rect(0, 0, 2, 2), material = rock, cuts = cuts,
@@ -250,21 +251,23 @@ for _, linked in ipairs { false, true } do
     return math.max(math.abs(p[2] - 0.5), math.abs(q[2] - 0.5)) < 0.051 and math.abs(p[1] - q[1]) > 1e-9 end)
   local top
   for _, block in ipairs(sim.blocks) do if block.centroid[2] > 1 then top = block end end
-  local off, wet, closed = 0, 0, 0
+  local off, wet, closed, speed_then = 0, 0, 0, nil
   for _ in sim:steps() do
     local charge, traces = sim.charges[1], {}
     closed = closed + select(2, pressed(sim))
+    if sim.totals.steps == 10 then speed_then = top.velocity[2] end
     for _, part in ipairs(charge.reached) do traces[sim.joints[part.joint].trace] = true end
     if traces[2] then wet = wet + 1 end
     off = math.max(off, math.abs(charge.volume/between(sim.blocks:field "vertices", edges) - 1))
   end
-  local name = linked and "layers, linked: " or "layers: "
+  local name = ("layers, %s: "):format(case)
   talus.check.equal(name .. "contacts that press", closed, 0)
+  talus.check.equal(name .. "bonds that failed", sim.totals.failures, bond and 1 or 0)
   talus.check.equal(name .. "steps with gas in the upper joint", wet, linked and sim.totals.steps or 0)
   if linked then
-    talus.check.above(name .. "speed of the top over that at the start", top.velocity[2]/speed/2, 1.005)
+    talus.check.above(name .. "speed of the top at the end over that of step 10", top.velocity[2]/speed_then, 1.005)
   else
-    talus.check.near(name .. "speed of the top over that at the start", top.velocity[2]/speed/2, 1, { abs = 1e-10 })
+    talus.check.near(name .. "speed of the top at the end over that of step 10", top.velocity[2]/speed_then, 1, { abs = 1e-10 })
     talus.check.near(name .. "room, of the lower joint and the hole, most off", off, 0, { abs = 1e-10 })
   end
 end
@@ -319,11 +322,11 @@ do
     end
     then_v, then_cut, then_alone = v, cut, alone
   end
-  for _, when in ipairs { "before", "cut", "after" } do talus.check.above("columns: steps, " .. when, steps[when], 50) end
+  for _, when in ipairs { "before", "cut", "after" } do talus.check.above("columns: steps, " .. when, steps[when], 30) end
   talus.check.equal("columns: joints with gas that should have none, or the other way round, in all steps", wrong, 0)
   talus.check.near("columns: lift of the last over P 1 m, cut off, at most", flies, 0, { abs = 1e-10 })
   for _, when in ipairs { "before", "after" } do
-    talus.check.near("columns: lift of the last over P 1 m, " .. when .. ", at least", lifted[when], 1, { abs = 0.1 })
+    talus.check.near("columns: lift of the last over P 1 m, " .. when .. ", at least", lifted[when], 1, { abs = 0.2 })
   end
 end
 
