@@ -83,12 +83,18 @@ talus.result("x50", sizes.x50, "m")
 if sim.time > 0.5 then
   local pile = talus.blast.pile(sim, { regions = {"bench"}, moved = 0.1, ground = 5, file = "profile" })
   local speed = math.sqrt(2*energy.kinetic/(rock.density*pile.solid))
+  local at, area, held, cast = sim.blocks:field "centroid", sim.blocks:field "area", sim.blocks:field "fixed", 0
+  for block, p in ipairs(at) do
+    if held[block] == 0 and (p[1] < 0 or p[1] > 15 or p[2] > 5) then cast = cast + area[block] end
+  end
   local fastest = 0
   for _, of_block in ipairs(sim.blocks:field "speed") do fastest = math.max(fastest, of_block) end
-  print(string.format("centroid of what moved by (%.2f, %.2f) m; mean speed now %.3g m/s, the fastest %.3g m/s", pile.shift[1], pile.shift[2], speed, fastest))
+  print(string.format("centroid of what moved by (%.2f, %.2f) m; %.1f %% of the bench lie out of it; mean speed now %.3g m/s, the fastest %.3g m/s",
+    pile.shift[1], pile.shift[2], 100*cast/(15*5), speed, fastest))
   talus.result("shift_x", pile.shift[1], "m")
   talus.result("shift_y", pile.shift[2], "m")
   talus.result("moved", pile.solid/(15*5), "of the bench, by 0.1 m")
+  talus.result("cast", cast/(15*5), "of the bench, out of its outline")
   talus.result("rise", sim.highest.rise, "m")
   talus.result("rise_at", sim.highest.time, "s")
   talus.result("speed", speed, "m/s")

@@ -15,7 +15,7 @@ talus.study {
     volume   = { history = "charge 1.volume", at = 0.02657, label = "V at 26.57 ms" },
     vented_at = "results.vented_at", vented_volume = "results.vented_volume",
     x50      = "results.x50",
-    moved    = "results.moved",
+    moved    = "results.moved", cast = "results.cast",
     shift_x  = "results.shift_x", shift_y = "results.shift_y",
     rise     = "results.rise", rise_at = "results.rise_at",
     speed    = "results.speed",

@@ -1,6 +1,7 @@
 -- Many heaps of which one moves: 100 of about 1000 bricks, each piled up and at rest under its weight; one bursts, then all do.
 -- With sleeping, a step in which one moves costs at most 3 % of one in which all do, in at most 4 GB. What sleeps keeps
 -- places and forces to the bit, and takes them on when it is hit. Source: cost that follows what changed.
+-- Limit: memory=4GB
 -- Run: scripts/run tests/hard/heaps_100.lua -p full=true     (quick: 20 heaps of 48, and the bound is 18 %: what every step costs whatever moves is a half of that)
 local talus = require "talus"
 local full = talus.param("full", false, "100 heaps of 988 bricks instead of 20 of 48")
