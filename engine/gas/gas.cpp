@@ -1,7 +1,9 @@
 #include "gas/gas.h"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "gas/eos.h"
@@ -16,6 +18,18 @@ namespace {
 constexpr double close_enough = 1e-4;
 constexpr int most_solves = 20;
 constexpr double little = 1e-9;  // part of the volume: less is swept at the present pressure
+
+// Where a falling positive function comes to `value` between `low` and `high`, or the end beyond which it would.
+template <typename Function>
+double fallen_to(double value, double low, double high, const Function& function) {
+  const auto above = [&](double x) { return std::log2(std::max(function(x), std::numeric_limits<double>::min())) - std::log2(value); };
+  const double at_low = above(low), at_high = above(high);
+  if (!(at_low > 0)) return low;
+  if (!(at_high < 0)) return high;
+  std::uintmax_t steps = 100;
+  const auto ends = boost::math::tools::toms748_solve(above, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(), steps);
+  return (ends.first + ends.second) / 2;
+}
 
 }  // namespace
 
@@ -108,28 +122,20 @@ double Gas::law_pressure(const Chamber& chamber, double volume, double time) con
   return own.law.pressure(volume / (first_volume_[charge] * left_[charge]), moment(chamber, time - own.delay));
 }
 
-// Gas of several charges has one pressure, at which their own volumes fill the chamber: found by halving its logarithm.
+// Gas of several charges has one pressure, at which their own volumes fill the chamber. Both are sought by logarithms, in which gases are near
+// straight lines.
 double Gas::mixture_pressure(const Chamber& chamber, double volume, double time) const {
   const auto filled = [&](double pressure) {
     double sum = 0;
     for (const int charge : chamber.charges) {
       const Charge& own = model_.scene.charges[charge];
       const GasMoment now = moment(chamber, time - own.delay);
-      double low = -7, high = 60;  // log2 of v
-      for (int k = 0; k < 60; ++k) {
-        const double middle = (low + high) / 2;
-        (own.law.pressure(std::exp2(middle), now) > pressure ? low : high) = middle;
-      }
-      sum += first_volume_[charge] * left_[charge] * std::exp2(low);
+      const double v = fallen_to(pressure, -7, 60, [&](double log) { return own.law.pressure(std::exp2(log), now); });
+      sum += first_volume_[charge] * left_[charge] * std::exp2(v);
     }
     return sum;
   };
-  double low = 0, high = 40;  // log2 of Pa
-  for (int k = 0; k < 60; ++k) {
-    const double middle = (low + high) / 2;
-    (filled(std::exp2(middle)) > volume ? low : high) = middle;
-  }
-  return std::exp2(low);
+  return std::exp2(fallen_to(volume, 0, 40, [&](double log) { return filled(std::exp2(log)); }));  // Pa
 }
 
 double Gas::law_work(const Chamber& chamber, double from, double to, double time) const {
