@@ -94,6 +94,17 @@ void Gas::detonate() {
       chamber.pressure = law_pressure(chamber, chamber.volume, model_.time);
     events_.push_back({GasEventKind::detonation, c, -1, model_.time, chamber.volume, chamber.pressure});
   }
+  lay_faces();
+}
+
+bool Gas::presses(const Chamber& chamber) const {
+  return !chamber.charges.empty() && chamber.state != Chamber::State::merged && vent_part(chamber, model_.time) != 0;
+}
+
+void Gas::lay_faces() {
+  model_.gas_faces.clear();
+  for (size_t c = 0; c < chambers_.size(); ++c)
+    if (presses(chambers_[c])) add_gas_faces(model_, int(c), chambers_[c].walls, reach_[c], model_.gas_faces);
 }
 
 GasMoment Gas::moment(const Chamber& chamber, double since) const {
@@ -159,14 +170,12 @@ double Gas::mean_pressure(const Chamber& chamber, double volume) const {
 
 void Gas::begin_step(double dt) {
   dt_ = dt;
-  model_.gas_faces.clear();
   for (size_t c = 0; c < chambers_.size(); ++c) {
     const Chamber& chamber = chambers_[c];
     Guess& guess = guess_[c];
     guess = {};
     model_.gas_pressure[c] = 0;
-    if (chamber.charges.empty() || chamber.state == Chamber::State::merged || vent_part(chamber, model_.time) == 0) continue;
-    add_gas_faces(model_, int(c), chamber.walls, reach_[c], model_.gas_faces);
+    if (!presses(chamber)) continue;
     guess.free = gas_volume(model_, model_.blocks, dt, paths_, chamber.walls, reach_[c]);
     guess.slope = chamber.gain * dt * dt;
     guess.offset = guess.free + chamber.yield * dt * dt;

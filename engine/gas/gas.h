@@ -51,9 +51,10 @@ class Gas {
 
   // s, of the next charge to go off, infinite where there is none: no step may pass it.
   double next_detonation() const;
-  // Charges that are due go off. Once before the attempts at a step.
+  // Charges that are due go off, and the faces that gas presses on in this step are laid. Once before the attempts at it, and
+  // before what sleeps is woken.
   void detonate();
-  // Faces and first guesses of the pressures for an attempt at a step of `dt`.
+  // First guesses of the pressures for an attempt at a step of `dt`.
   void begin_step(double dt);
   // After a solve that leads to `moved`: whether the pressures it was made with are those of the volumes it leads to. If not,
   // they are better now.
@@ -72,6 +73,8 @@ class Gas {
   void restored();
 
  private:
+  bool presses(const Chamber& chamber) const;
+  void lay_faces();
   GasMoment moment(const Chamber& chamber, double since) const;
   double law_pressure(const Chamber& chamber, double volume, double time) const;
   double mixture_pressure(const Chamber& chamber, double volume, double time) const;
