@@ -61,13 +61,39 @@ void check_holes(Region& region) {
 // met overlapping do not press (theory, § 5). More is a mistake.
 constexpr double slight_overlap = 5e-3;
 
+double area_of(const Region& region) {
+  double area = signed_area(region.outlines[0]);
+  for (const Hole& hole : region.holes) area -= signed_area(hole.outline);
+  return area;
+}
+
+struct Piece {
+  const Region* region;
+  const Polyline* outline;
+  Eigen::AlignedBox2d box;
+  bool has_holes() const { return outline == &region->outlines[0]; }  // those of its region lie in its first outline
+  double area() const { return has_holes() ? area_of(*region) : signed_area(*outline); }
+};
+
+// What the holes of `a` take away from its overlap with the outline of `b`.
+double overlap_of_holes(const Piece& a, const Polyline& b) {
+  double area = 0;
+  if (a.has_holes())
+    for (const Hole& hole : a.region->holes) area += overlap_area(hole.outline, b);
+  return area;
+}
+
+// The area of rock that two pieces share. Holes lie in their outlines and apart from each other, so what two holes share has been
+// taken away twice.
+double shared_rock(const Piece& a, const Piece& b) {
+  double area = overlap_area(*a.outline, *b.outline) - overlap_of_holes(a, *b.outline) - overlap_of_holes(b, *a.outline);
+  if (b.has_holes())
+    for (const Hole& hole : b.region->holes) area += overlap_of_holes(a, hole.outline);
+  return area;
+}
+
 // Sorted by their left ends, so that only near neighbours are compared.
 void check_overlaps(const Scene& scene) {
-  struct Piece {
-    const Region* region;
-    const Polyline* outline;
-    Eigen::AlignedBox2d box;
-  };
   std::vector<Piece> pieces;
   for (const Region& region : scene.regions)
     for (const Polyline& outline : region.outlines) pieces.push_back({&region, &outline, box_of(outline)});
@@ -76,9 +102,9 @@ void check_overlaps(const Scene& scene) {
   for (size_t a = 0; a < pieces.size(); ++a) {
     for (size_t b = a + 1; b < pieces.size() && pieces[b].box.min().x() < pieces[a].box.max().x(); ++b) {
       const Vec2 shared = pieces[a].box.intersection(pieces[b].box).sizes();  // negative where they are apart
-      const double smaller = std::min(signed_area(*pieces[a].outline), signed_area(*pieces[b].outline));
+      const double smaller = std::min(pieces[a].area(), pieces[b].area());
       if (shared.minCoeff() <= 0 || shared.prod() < slight_overlap * smaller) continue;
-      const double area = overlap_area(*pieces[a].outline, *pieces[b].outline);
+      const double area = shared_rock(pieces[a], pieces[b]);
       if (area <= slight_overlap * smaller) continue;
       const bool later = pieces[a].region < pieces[b].region;
       const Region& second = later ? *pieces[b].region : *pieces[a].region;
@@ -106,12 +132,6 @@ std::string enough(double value) {
   value *= 1.05;
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
   return number(std::ceil(value / unit) * unit);
-}
-
-double area_of(const Region& region) {
-  double area = signed_area(region.outlines[0]);
-  for (const Hole& hole : region.holes) area -= signed_area(hole.outline);
-  return area;
 }
 
 double lines_of(const JointSet& set, const Polyline& outline) {
