@@ -146,7 +146,7 @@ double Gas::mixture_pressure(const Chamber& chamber, double volume, double time)
 double Gas::law_work(const Chamber& chamber, double from, double to, double time) const {
   const int charge = chamber.charges[0];
   if (chamber.charges.size() > 1)
-    return talus::work({[&](double volume, const GasMoment&) { return law_pressure(chamber, volume, time); }, {}}, from, to);
+    return talus::work({[&](double volume, const GasMoment&) { return law_pressure(chamber, volume, time); }, {}, {}}, from, to);
   const double first = first_volume_[charge] * left_[charge];
   const Charge& own = model_.scene.charges[charge];
   return first * talus::work(own.law, from / first, to / first, moment(chamber, time - own.delay));

@@ -104,9 +104,8 @@ Charge read_charge(const TableReader& t) {
   if (const auto eos = law("eos", "charge.eos", "v", no_bound, "a pressure >= 0 (Pa)"))
     c.law.pressure = [eos](double v, const GasMoment& m) { return eos({v, m.t}, m); };
   t.with("law", [&](const TableReader& l) { c.law = ready_made(l); });
-  double constant = 0;
-  t.read("speed", constant);
-  c.gas_speed = [constant](const GasMoment&) { return constant; };
+  t.read("speed", c.constant_speed);
+  c.gas_speed = [constant = c.constant_speed.value_or(0)](const GasMoment&) { return constant; };
   if (const auto speed = law("speed_law", "charge.gas_speed", "t", no_bound, "a speed >= 0 (m/s)"))
     c.gas_speed = [speed](const GasMoment& m) { return speed({m.t}, m); };
   if (const auto part = law("venting", "charge.venting", "t", 1, "a part from 0 to 1"))
