@@ -181,6 +181,16 @@ local function flatten_charge(charge, i, at)
            stemming = flatten_stemming(given(charge, "stemming")) }
 end
 
+-- A charge and what it is made of: objects without anything that could change while a simulation uses them.
+function gas.parts(charge)
+  local parts = { charge }
+  for _, name in ipairs { "explosive", "eos", "venting", "stemming" } do
+    local part = given(charge, name)
+    if object.kind(part) then parts[#parts + 1] = part end
+  end
+  return parts
+end
+
 function gas.flatten(charges, regions, links)
   local list, taken = {}, {}
   for i, charge in ipairs(charges) do
