@@ -130,6 +130,17 @@ local function flatten_eos(law)
   return explosives.jwl(law)
 end
 
+-- A second hole of that name: in the same region, whose name is given then, or in another.
+local function refuse_second(charge, region)
+  local wanted = given(charge, "hole")
+  if region then
+    places.fail(object.place(charge), ("charge.hole: expected a hole with a name of its own, got %q, of which region %q has two")
+      :format(wanted, region))
+  end
+  places.fail(object.place(charge), ("charge.region: expected the region of hole %q, of which there are two, got nothing")
+    :format(wanted))
+end
+
 -- Region and hole by number.
 local function find_hole(charge, regions, links)
   local wanted, region = given(charge, "hole"), given(charge, "region")
@@ -140,10 +151,7 @@ local function find_hole(charge, regions, links)
       local name = given(hole, "name") or ("hole %d"):format(h)
       names[#names + 1] = name
       if name == wanted and (not asked or candidate == asked) then
-        if found then
-          places.fail(object.place(charge), ("charge.region: expected the region of hole %q, of which there are two, got"
-            .. " nothing"):format(wanted))
-        end
+        if found then refuse_second(charge, found.region == r and (given(candidate, "name") or ("region %d"):format(r))) end
         found = { region = r, hole = h, outline = given(hole, "points") }
       end
     end
@@ -166,9 +174,8 @@ local function flatten_stemming(stemming)
   return stemming and { length = get(stemming, "length"), density = get(stemming, "density"), charge_length = given(stemming, "charge_length") }
 end
 
-local function flatten_charge(charge, i, at)
-  local name, eos, speed, venting = given(charge, "name") or ("charge %d"):format(i), given(charge, "eos"), get(charge, "gas_speed"),
-    given(charge, "venting")
+local function flatten_charge(charge, name, i, at)
+  local eos, speed, venting = given(charge, "eos"), get(charge, "gas_speed"), given(charge, "venting")
   local law, mass, density
   if eos then law = flatten_eos(eos) else law, mass, density = explosives.charge(charge, at.outline) end
   local function of_script(value, wrap) return type(value) == "function" and wrap(value, name) or nil end
@@ -192,7 +199,7 @@ function gas.parts(charge)
 end
 
 function gas.flatten(charges, regions, links)
-  local list, taken = {}, {}
+  local list, taken, named = {}, {}, {}
   for i, charge in ipairs(charges) do
     local at = find_hole(charge, regions, links)
     local key = at.region .. "/" .. at.hole
@@ -200,8 +207,13 @@ function gas.flatten(charges, regions, links)
       places.fail(object.place(charge), ("charge.hole: expected a hole of its own, got %q, which has a charge already"):format(
         given(charge, "hole")))
     end
-    taken[key] = true
-    list[i] = flatten_charge(charge, i, at)
+    local name = given(charge, "name") or ("charge %d"):format(i)
+    if named[name] then
+      places.fail(object.place(charge), ("charge.name: expected a name of its own, got %q, the name of charge %d"):format(name,
+        named[name]))
+    end
+    taken[key], named[name] = true, i
+    list[i] = flatten_charge(charge, name, i, at)
   end
   return list
 end
