@@ -162,6 +162,7 @@ double Gas::vent_part(const Chamber& chamber, double time) const {
 }
 
 double Gas::mean_pressure(const Chamber& chamber, double volume) const {
+  volume = std::max(volume, 0.5 * chamber.volume);  // a solve may try what no step comes to, and less than nothing
   const double middle = model_.time + dt_ / 2, swept = volume - chamber.volume, part = vent_part(chamber, middle);
   if (part == 0) return 0;
   if (std::abs(swept) < little * chamber.volume) return part * law_pressure(chamber, (volume + chamber.volume) / 2, middle);
@@ -181,7 +182,7 @@ void Gas::begin_step(double dt) {
     guess.offset = guess.free + chamber.yield * dt * dt;
     guess.pressure = chamber.pressure;
     for (int k = 0; k < most_solves; ++k)
-      guess.pressure = mean_pressure(chamber, std::max(guess.offset + guess.slope * guess.pressure, 0.5 * chamber.volume));
+      guess.pressure = mean_pressure(chamber, guess.offset + guess.slope * guess.pressure);
     model_.gas_pressure[c] = guess.pressure;
   }
 }
@@ -208,7 +209,7 @@ bool Gas::agrees(const std::vector<BlockState>& moved) {
     all = false;
     double better = wanted;
     for (int k = 0; k < most_solves; ++k)
-      better = mean_pressure(chamber, std::max(guess.offset + guess.slope * better, 0.5 * chamber.volume));
+      better = mean_pressure(chamber, guess.offset + guess.slope * better);
     model_.gas_pressure[c] = better;
   }
   return all;
@@ -224,6 +225,8 @@ void Gas::end_step(double dt) {
       continue;
     }
     if (!stemming_.empty()) push_stemming(int(c), dt);
+    const double before = chamber.volume;
+    const GasMoment middle = moment(chamber, model_.time - dt / 2 - model_.scene.charges[chamber.charges[0]].delay);
     chamber.work += guess.pressure * guess.swept;
     chamber.joined += guess.volume - chamber.volume - guess.swept;
     chamber.volume = guess.volume;
@@ -232,10 +235,21 @@ void Gas::end_step(double dt) {
     const auto& speed = model_.scene.charges[chamber.charges[0]].gas_speed;
     chamber.front += dt * speed(moment(chamber, model_.time - chamber.began));
     spread(int(c));
+    check_fall(chamber, before, middle);
     leak(int(c), dt);
   }
   merge();
   vent();
+}
+
+// A law that grows on the way, between the volumes that were tried when it was declared, would make gas from nothing. That of a mixture
+// is asked for volumes by halving, and only of charges that passed this before they met.
+void Gas::check_fall(const Chamber& chamber, double before, const GasMoment& now) const {
+  if (chamber.charges.size() > 1) return;
+  const int charge = chamber.charges[0];
+  const double first = first_volume_[charge] * left_[charge];
+  const auto& check = model_.scene.charges[charge].check_fall;
+  if (check) check(before / first, chamber.volume / first, now);
 }
 
 // R = max(R0, ∫ VP dt), R0 the hole's radius (Ning et al. 2011, equation 3: the gas is at the wall from the start).

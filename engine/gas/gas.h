@@ -80,6 +80,7 @@ class Gas {
   double mixture_pressure(const Chamber& chamber, double volume, double time) const;
   double mean_pressure(const Chamber& chamber, double volume) const;  // over the way from the present volume
   double law_work(const Chamber& chamber, double from, double to, double time) const;
+  void check_fall(const Chamber& chamber, double before, const GasMoment& now) const;
   void find_reach(int chamber);
   void spread(int chamber);
   bool meet(int a, int b) const;

@@ -111,7 +111,7 @@ void visit(std::optional<T>& part, StateVisitor& v) {
 
 void visit_charges(Scene& scene, StateVisitor& v) {
   for (Charge& charge : scene.charges) {
-    [[maybe_unused]] auto& [place, name, region, hole, delay, mass, law, gas_speed, constant_speed, venting, orifice, stemming] = charge;
+    [[maybe_unused]] auto& [place, name, region, hole, delay, mass, law, check_fall, gas_speed, constant_speed, venting, orifice, stemming] = charge;
     v("name", name);
     v("region", region);
     v("hole", hole);

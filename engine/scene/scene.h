@@ -215,6 +215,8 @@ struct Charge {
   double delay = 0;            // s, scatter included
   double mass = 0;             // kg per metre; 0: the gas is given, not the explosive
   GasLaw law;
+  // Of a law that is a function: throws where its pressure grows from one v to a larger one, whichever comes first. Empty else.
+  std::function<void(double v, double other, const GasMoment&)> check_fall;
   std::function<double(const GasMoment&)> gas_speed;  // m/s into cracks
   std::optional<double> constant_speed;               // m/s, what gas_speed is; none: a function of the script
   // Part of the pressure left after the gas has reached a free surface. Neither: none, at once.

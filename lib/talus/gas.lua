@@ -59,19 +59,23 @@ local function tried(name, volume)
   return view
 end
 
+-- From 1 to 10 000, ten to each doubling. Far out a pressure may be too small for a number.
+local trials, far = {}, 100
+for k = 0, 133 do trials[k + 1] = 2^(k/10) end
+
 local function try_eos(law, name, bad)
   for _, t in ipairs { 0, 1e-3 } do
-    local last = math.huge
-    for _, v in ipairs { 1, 1.5, 2, 5, 20, 100 } do
+    local last, before = math.huge, nil
+    for _, v in ipairs(trials) do
       local text = ("at v = %g"):format(v) .. (t > 0 and (", t = %g"):format(t) or "")
       local pressure = try(law, text, "eos", bad, function(p)
-        return not (finite(p) and p > 0) and "a pressure > 0 (Pa)" or nil
+        return not (finite(p) and (p > 0 or p == 0 and v > far)) and "a pressure > 0 (Pa)" or nil
       end, v, t, tried(name, v))
       if pressure > last*(1 + 1e-9) then
-        bad("eos", ("a pressure that falls as the gas expands: at most %.6g (Pa) %s"):format(last, text),
+        bad("eos", ("a pressure that falls as the gas expands: %s at most that at v = %g, %.6g (Pa)"):format(text, before, last),
           ("%.6g"):format(pressure))
       end
-      last = pressure
+      last, before = pressure, v
     end
   end
 end
