@@ -268,12 +268,18 @@ void Gas::visit_state(StateVisitor& visitor) {
   visitor("first_volume", first_volume_);
   visitor("left", left_);
   visitor("stemming", stemming_);
+  std::vector<Reach> ended(reach_.size());
+  for (size_t c = 0; c < chambers_.size(); ++c)
+    if (chambers_[c].pressure == 0) ended[c] = reach_[c];
+  visitor("ended", ended);
+  for (size_t c = 0; c < chambers_.size(); ++c)
+    if (chambers_[c].pressure == 0) reach_[c] = ended[c];
 }
 
-// What the gas has reached follows from the cracks, but for those it came through and that have closed behind it.
+// What gas that presses has reached follows from the cracks; what has ended stays where it had got to.
 void Gas::restored() {
   for (size_t c = 0; c < chambers_.size(); ++c)
-    if (!chambers_[c].charges.empty() && chambers_[c].state != Chamber::State::merged) find_reach(int(c));
+    if (chambers_[c].pressure > 0) find_reach(int(c));
 }
 
 }  // namespace talus

@@ -18,6 +18,21 @@ Vec2 joint_end(const Model& model, const Joint& joint, int end) {
 
 }  // namespace
 
+void visit_state(ReachedJoint& reached, StateVisitor& v) {
+  auto& [joint, from, to] = reached;
+  v("joint", joint);
+  v("from", from);
+  v("to", to);
+}
+
+void visit_state(Reach& reach, StateVisitor& v) {
+  auto& [joints, nodes, surface, walls] = reach;
+  v.growing("joints", joints);
+  v.growing("nodes", nodes);
+  v("surface", surface);
+  v.growing("walls", walls);
+}
+
 GasPaths::GasPaths(const Model& model)
     : joints_at_(model.nodes.position.size()),
       wall_nodes_(model.hole_walls.size()),

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/model.h"
+#include "model/state_visitor.h"
 
 namespace talus {
 
@@ -18,6 +19,9 @@ struct Reach {
   bool surface = false;    // a free surface is among them
   std::vector<int> walls;  // hole walls met, beside its own
 };
+
+void visit_state(ReachedJoint& joint, StateVisitor& visitor);
+void visit_state(Reach& reach, StateVisitor& visitor);
 
 // What joins the nodes of a model: settled when it is built.
 class GasPaths {
