@@ -37,6 +37,7 @@ struct GasEvent {
   int chamber = 0, other = -1;
   double time = 0, volume = 0, pressure = 0;  // s, m3, Pa just before
   bool collar = false;                        // it vents because its stemming is out
+  Vec2 at = Vec2::Zero();                     // m, where it vents: the free surface, or the middle of its hole
 };
 
 // Of a charge: how far its stemming has moved (m) and how fast it is (m/s).
@@ -90,6 +91,7 @@ class Gas {
   bool stemming_out(int charge) const;
   bool stemming_out(const Chamber& chamber) const;
   double opening_of(int chamber) const;
+  Vec2 outlet_of(int chamber) const;
   void vent();
   double vent_part(const Chamber& chamber, double time) const;
   void leak(int chamber, double dt);

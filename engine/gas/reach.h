@@ -17,6 +17,7 @@ struct Reach {
   std::vector<ReachedJoint> joints;
   std::vector<int> nodes;  // into Model::nodes
   bool surface = false;    // a free surface is among them
+  int outlet = -1;         // node, the first on the way that is at one
   std::vector<int> walls;  // hole walls met, beside its own
 };
 

@@ -36,10 +36,14 @@ int push_gas_events(lua_State* L, const Simulation& simulation) {
   lua_createtable(L, int(events.size()), 0);
   for (size_t k = 0; k < events.size(); ++k) {
     const GasEvent& e = events[k];
-    lua_createtable(L, 0, 7);
+    lua_createtable(L, 0, 9);
     set_text(L, "kind", e.kind == GasEventKind::detonation ? "detonation" : e.kind == GasEventKind::venting ? "venting" : "merging");
     set_text(L, "charge", charge_of(simulation, e.chamber));
-    if (e.kind == GasEventKind::venting) set_text(L, "by", e.collar ? "stemming" : "surface");
+    if (e.kind == GasEventKind::venting) {
+      set_text(L, "by", e.collar ? "stemming" : "surface");
+      set_number(L, "x", e.at.x() + simulation.model.origin.x());
+      set_number(L, "y", e.at.y() + simulation.model.origin.y());
+    }
     if (e.other >= 0) set_text(L, "other", charge_of(simulation, e.other));
     set_number(L, "time", e.time);
     set_number(L, "volume", e.volume);
