@@ -1,6 +1,7 @@
 #include "script/gas_view.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "gas/gas.h"
 #include "script/lua_fields.h"
@@ -30,6 +31,24 @@ void push_reached(lua_State* L, const Model& model, const Reach& reach) {
 }
 
 }  // namespace
+
+std::vector<std::string> early_venting(const Simulation& simulation) {
+  std::vector<std::string> notes;
+  const auto& events = simulation.gas_events();
+  for (const GasEvent& e : events) {
+    if (e.kind != GasEventKind::venting || e.collar) continue;
+    const auto went_off = std::find_if(events.begin(), events.end(), [&e](const GasEvent& other) {
+      return other.kind == GasEventKind::detonation && other.chamber == e.chamber;
+    });
+    if (went_off == events.end()) continue;
+    const Vec2 at = e.at + simulation.model.origin;
+    char text[200];
+    std::snprintf(text, sizeof text, " vents in the step in which it goes off, at t = %g s: its hole is open to the free surface at (%g, %g)",
+                  went_off->time, at.x(), at.y());
+    notes.push_back("charge \"" + charge_of(simulation, e.chamber) + '"' + text);
+  }
+  return notes;
+}
 
 int push_gas_events(lua_State* L, const Simulation& simulation) {
   const auto& events = simulation.gas_events();
