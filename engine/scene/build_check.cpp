@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <optional>
 
 #include "geometry/polygon.h"
 #include "scene/build_parts.h"
@@ -37,6 +38,28 @@ void check_outline(Polyline& outline, const Place& place, const std::string& fie
   outline = std::move(turned);
 }
 
+// Where a corner of one lies on the other, to the round-off of what divides a region, which needs a gap between its boundaries.
+std::optional<Vec2> touch(const Polyline& a, const Polyline& b) {
+  constexpr double round_off = 1e-14;
+  const auto box_a = box_of(a), box_b = box_of(b);
+  const double near = round_off * std::max(box_a.merged(box_b).min().cwiseAbs().maxCoeff(), box_a.merged(box_b).max().cwiseAbs().maxCoeff());
+  if (box_a.exteriorDistance(box_b) > near) return std::nullopt;
+  for (const auto& [corners, boundary] : {std::pair{&a, &b}, {&b, &a}})
+    for (const Vec2& p : *corners)
+      if (distance_to_boundary(*boundary, p) <= near) return p;
+  return std::nullopt;
+}
+
+void check_touch(const Region& region, size_t h, const Place& place, const std::string& field) {
+  const Polyline& own = region.holes[h].outline;
+  if (const auto at = touch(own, region.outlines[0]))
+    throw InputError(place, field, "a hole that keeps off the region's outline", "one that touches it at " + pair_text(*at));
+  for (size_t other = 0; other < h; ++other)
+    if (const auto at = touch(own, region.holes[other].outline))
+      throw InputError(place, field, "holes that keep off each other",
+                       "one that touches hole \"" + region.holes[other].name + "\" at " + pair_text(*at));
+}
+
 void check_holes(Region& region) {
   const std::string owner = "region \"" + region.name + "\"";
   for (size_t h = 0; h < region.holes.size(); ++h) {
@@ -54,6 +77,7 @@ void check_holes(Region& region) {
     for (size_t other = 0; other < h; ++other)
       if (overlap_area(region.holes[other].outline, hole.outline) > 0)
         throw InputError(place, field, "holes that do not overlap", "an overlap with hole \"" + region.holes[other].name + "\"");
+    check_touch(region, h, place, field);
   }
 }
 
