@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "gas/gas.h"
+#include "script/lua_error.h"
 #include "script/lua_fields.h"
 
 namespace talus {
@@ -28,6 +29,41 @@ void push_reached(lua_State* L, const Model& model, const Reach& reach) {
   }
   lua_setfield(L, -2, "reached");
   set_number(L, "reach", length);
+}
+
+int chamber_set(lua_State* L) {
+  refuse(L, "sim.charges[…]." + std::string(luaL_tolstring(L, 2, nullptr)) + " cannot be set: a chamber can only be read");
+}
+
+int chamber_next(lua_State* L) {
+  lua_settop(L, 2);
+  if (lua_next(L, 1) != 0) return 2;
+  lua_pushnil(L);
+  return 1;
+}
+
+int chamber_pairs(lua_State* L) {
+  lua_pushcfunction(L, chamber_next);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_pushnil(L);
+  return 3;
+}
+
+// In place of the table on the top: one through which it can be read only, as what is set in a copy would change nothing.
+void make_read_only(lua_State* L) {
+  lua_newtable(L);
+  lua_createtable(L, 0, 4);
+  lua_pushvalue(L, -3);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, guarded<chamber_set>);
+  lua_setfield(L, -2, "__newindex");
+  lua_pushvalue(L, -3);
+  lua_pushcclosure(L, chamber_pairs, 1);
+  lua_setfield(L, -2, "__pairs");
+  lua_pushboolean(L, false);
+  lua_setfield(L, -2, "__metatable");
+  lua_setmetatable(L, -2);
+  lua_replace(L, -2);
 }
 
 }  // namespace
@@ -105,6 +141,7 @@ void push_charges(lua_State* L, const Simulation& simulation) {
     set_number(L, "front", std::max(simulation.model.hole_walls[k].radius, chamber.front));
     set_number(L, "work", chamber.work);
     set_number(L, "joined", chamber.joined);
+    make_read_only(L);
     lua_pushvalue(L, -1);
     lua_setfield(L, -3, own.name.c_str());
     lua_rawseti(L, -2, lua_Integer(k + 1));
