@@ -12,7 +12,8 @@ GasLaw polytropic(double pressure, double gamma) {
             const double power = 1 - gamma, ratio = std::log(to / from);  // P0 (to^p - from^p)/p, also as p goes to 0
             return std::abs(power * ratio) < 1e-9 ? pressure * std::pow(from, power) * ratio
                                                   : pressure * std::pow(from, power) * std::expm1(power * ratio) / power;
-          }};
+          },
+          {pressure, gamma}};
 }
 
 GasLaw jwl(const Jwl& c, double filled) {
@@ -25,7 +26,8 @@ GasLaw jwl(const Jwl& c, double filled) {
     const double w = v / filled;
     return c.a / c.r1 * std::exp(-c.r1 * w) + c.b / c.r2 * std::exp(-c.r2 * w) + tail / c.omega * std::pow(w, -c.omega);
   };
-  return {pressure, [=](double from, double to) { return filled * (energy(from) - energy(to)); }};
+  return {pressure, [=](double from, double to) { return filled * (energy(from) - energy(to)); },
+          {c.a, c.b, c.r1, c.r2, c.omega, c.energy, filled}};
 }
 
 double work(const GasLaw& law, double from, double to, const GasMoment& moment) {

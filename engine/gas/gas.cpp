@@ -108,6 +108,17 @@ void Gas::detonate() {
       chamber.pressure = law_pressure(chamber, chamber.volume, model_.time);
     events_.push_back({GasEventKind::detonation, c, -1, model_.time, chamber.volume, chamber.pressure});
   }
+  lay_faces();
+}
+
+bool Gas::presses(const Chamber& chamber) const {
+  return !chamber.charges.empty() && chamber.state != Chamber::State::merged && vent_part(chamber, model_.time) != 0;
+}
+
+void Gas::lay_faces() {
+  model_.gas_faces.clear();
+  for (size_t c = 0; c < chambers_.size(); ++c)
+    if (presses(chambers_[c])) add_gas_faces(model_, int(c), chambers_[c].walls, reach_[c], model_.gas_faces);
 }
 
 GasMoment Gas::moment(const Chamber& chamber, double since) const {
@@ -141,7 +152,7 @@ double Gas::mixture_pressure(const Chamber& chamber, double volume, double time)
 double Gas::law_work(const Chamber& chamber, double from, double to, double time) const {
   const int charge = chamber.charges[0];
   if (chamber.charges.size() > 1)
-    return talus::work({[&](double volume, const GasMoment&) { return law_pressure(chamber, volume, time); }, {}}, from, to);
+    return talus::work({[&](double volume, const GasMoment&) { return law_pressure(chamber, volume, time); }, {}, {}}, from, to);
   const double first = first_volume_[charge] * left_[charge];
   const Charge& own = model_.scene.charges[charge];
   return first * talus::work(own.law, from / first, to / first, moment(chamber, time - own.delay));
@@ -157,6 +168,7 @@ double Gas::vent_part(const Chamber& chamber, double time) const {
 }
 
 double Gas::mean_pressure(const Chamber& chamber, double volume) const {
+  volume = std::max(volume, 0.5 * chamber.volume);  // a solve may try what no step comes to, and less than nothing
   const double middle = model_.time + dt_ / 2, swept = volume - chamber.volume, part = vent_part(chamber, middle);
   if (part == 0) return 0;
   if (std::abs(swept) < little * chamber.volume) return part * law_pressure(chamber, (volume + chamber.volume) / 2, middle);
@@ -166,20 +178,18 @@ double Gas::mean_pressure(const Chamber& chamber, double volume) const {
 void Gas::begin_step(double dt) {
   dt_ = dt;
   gives_up_ = false;
-  model_.gas_faces.clear();
   for (size_t c = 0; c < chambers_.size(); ++c) {
     const Chamber& chamber = chambers_[c];
     Guess& guess = guess_[c];
     guess = {};
     model_.gas_pressure[c] = 0;
-    if (chamber.charges.empty() || chamber.state == Chamber::State::merged || vent_part(chamber, model_.time) == 0) continue;
-    add_gas_faces(model_, int(c), chamber.walls, reach_[c], model_.gas_faces);
+    if (!presses(chamber)) continue;
     guess.free = gas_volume(model_, model_.blocks, dt, paths_, chamber.walls, reach_[c]);
     guess.slope = chamber.gain * dt * dt;
     guess.offset = guess.free + chamber.yield * dt * dt;
     guess.pressure = chamber.pressure;
     for (int k = 0; k < most_solves; ++k)
-      guess.pressure = mean_pressure(chamber, std::max(guess.offset + guess.slope * guess.pressure, 0.5 * chamber.volume));
+      guess.pressure = mean_pressure(chamber, guess.offset + guess.slope * guess.pressure);
     model_.gas_pressure[c] = guess.pressure;
   }
 }
@@ -207,7 +217,7 @@ bool Gas::agrees(const std::vector<BlockState>& moved) {
     all = false;
     double better = wanted;
     for (int k = 0; k < most_solves; ++k)
-      better = mean_pressure(chamber, std::max(guess.offset + guess.slope * better, 0.5 * chamber.volume));
+      better = mean_pressure(chamber, guess.offset + guess.slope * better);
     model_.gas_pressure[c] = better;
   }
   return all;
@@ -223,6 +233,8 @@ void Gas::end_step(double dt) {
       continue;
     }
     if (!stemming_.empty()) push_stemming(int(c), dt);
+    const double before = chamber.volume;
+    const GasMoment middle = moment(chamber, model_.time - dt / 2 - model_.scene.charges[chamber.charges[0]].delay);
     chamber.work += guess.pressure * guess.swept;
     chamber.joined += guess.volume - chamber.volume - guess.swept;
     chamber.volume = guess.volume;
@@ -231,10 +243,21 @@ void Gas::end_step(double dt) {
     const auto& speed = model_.scene.charges[chamber.charges[0]].gas_speed;
     chamber.front += dt * speed(moment(chamber, model_.time - chamber.began));
     spread(int(c));
+    check_fall(chamber, before, middle);
     leak(int(c), dt);
   }
   merge();
   vent();
+}
+
+// A law that grows on the way, between the volumes that were tried when it was declared, would make gas from nothing. That of a mixture
+// is asked for volumes by halving, and only of charges that passed this before they met.
+void Gas::check_fall(const Chamber& chamber, double before, const GasMoment& now) const {
+  if (chamber.charges.size() > 1) return;
+  const int charge = chamber.charges[0];
+  const double first = first_volume_[charge] * left_[charge];
+  const auto& check = model_.scene.charges[charge].check_fall;
+  if (check) check(before / first, chamber.volume / first, now);
 }
 
 // R = max(R0, ∫ VP dt), R0 the hole's radius (Ning et al. 2011, equation 3: the gas is at the wall from the start).
@@ -253,12 +276,18 @@ void Gas::visit_state(StateVisitor& visitor) {
   visitor("first_volume", first_volume_);
   visitor("left", left_);
   visitor("stemming", stemming_);
+  std::vector<Reach> ended(reach_.size());
+  for (size_t c = 0; c < chambers_.size(); ++c)
+    if (chambers_[c].pressure == 0) ended[c] = reach_[c];
+  visitor("ended", ended);
+  for (size_t c = 0; c < chambers_.size(); ++c)
+    if (chambers_[c].pressure == 0) reach_[c] = ended[c];
 }
 
-// What the gas has reached follows from the cracks, but for those it came through and that have closed behind it.
+// What gas that presses has reached follows from the cracks; what has ended stays where it had got to.
 void Gas::restored() {
   for (size_t c = 0; c < chambers_.size(); ++c)
-    if (!chambers_[c].charges.empty() && chambers_[c].state != Chamber::State::merged) find_reach(int(c));
+    if (chambers_[c].pressure > 0) find_reach(int(c));
 }
 
 }  // namespace talus

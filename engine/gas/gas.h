@@ -37,6 +37,7 @@ struct GasEvent {
   int chamber = 0, other = -1;
   double time = 0, volume = 0, pressure = 0;  // s, m3, Pa just before
   bool collar = false;                        // it vents because its stemming is out
+  Vec2 at = Vec2::Zero();                     // m, where it vents: the free surface, or the middle of its hole
 };
 
 // Of a charge: how far its stemming has moved (m) and how fast it is (m/s).
@@ -51,9 +52,10 @@ class Gas {
 
   // s, of the next charge to go off, infinite where there is none: no step may pass it.
   double next_detonation() const;
-  // Charges that are due go off. Once before the attempts at a step.
+  // Charges that are due go off, and the faces that gas presses on in this step are laid. Once before the attempts at it, and
+  // before what sleeps is woken.
   void detonate();
-  // Faces and first guesses of the pressures for an attempt at a step of `dt`.
+  // First guesses of the pressures for an attempt at a step of `dt`.
   void begin_step(double dt);
   // After a solve that leads to `moved`: whether the pressures it was made with are those of the volumes it leads to. If not,
   // they are better now.
@@ -74,11 +76,14 @@ class Gas {
   void restored();
 
  private:
+  bool presses(const Chamber& chamber) const;
+  void lay_faces();
   GasMoment moment(const Chamber& chamber, double since) const;
   double law_pressure(const Chamber& chamber, double volume, double time) const;
   double mixture_pressure(const Chamber& chamber, double volume, double time) const;
   double mean_pressure(const Chamber& chamber, double volume) const;  // over the way from the present volume
   double law_work(const Chamber& chamber, double from, double to, double time) const;
+  void check_fall(const Chamber& chamber, double before, const GasMoment& now) const;
   void find_reach(int chamber);
   void spread(int chamber);
   bool meet(int a, int b) const;
@@ -88,6 +93,7 @@ class Gas {
   bool stemming_out(int charge) const;
   bool stemming_out(const Chamber& chamber) const;
   double opening_of(int chamber) const;
+  Vec2 outlet_of(int chamber) const;
   void vent();
   double vent_part(const Chamber& chamber, double time) const;
   void leak(int chamber, double dt);

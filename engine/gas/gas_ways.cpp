@@ -53,6 +53,7 @@ void Gas::take_over(int c, int other) {
   const bool vents = met.state == Chamber::State::vented;
   if (vents && !model_.scene.charges[own.charges[0]].orifice) {
     reach_[c].surface = true;
+    reach_[c].outlet = reach_[other].outlet;
     return;
   }
   events_.push_back({GasEventKind::merging, c, other, model_.time, met.volume, met.pressure});
@@ -102,13 +103,21 @@ double Gas::opening_of(int c) const {
   return sum;
 }
 
+Vec2 Gas::outlet_of(int c) const {
+  if (!reach_[c].surface || reach_[c].outlet < 0) return model_.hole_walls[c].centre;
+  Vec2 sum = Vec2::Zero();
+  const auto& corners = paths_.corners(reach_[c].outlet);
+  for (const GasPaths::Corner& corner : corners) sum += model_.vertex[corner.vertex];
+  return sum / double(corners.size());
+}
+
 void Gas::vent() {
   for (size_t c = 0; c < chambers_.size(); ++c) {
     Chamber& chamber = chambers_[c];
     if (chamber.state != Chamber::State::pressing || !(reach_[c].surface || stemming_out(chamber))) continue;
     chamber.state = Chamber::State::vented;
     chamber.vented_at = model_.time;
-    events_.push_back({GasEventKind::venting, int(c), -1, model_.time, chamber.volume, chamber.pressure, !reach_[c].surface});
+    events_.push_back({GasEventKind::venting, int(c), -1, model_.time, chamber.volume, chamber.pressure, !reach_[c].surface, outlet_of(int(c))});
     chamber.pressure *= vent_part(chamber, model_.time);
     if (model_.scene.charges[chamber.charges[0]].orifice) chamber.opening = opening_of(int(c));
   }

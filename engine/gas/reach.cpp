@@ -18,6 +18,22 @@ Vec2 joint_end(const Model& model, const Joint& joint, int end) {
 
 }  // namespace
 
+void visit_state(ReachedJoint& reached, StateVisitor& v) {
+  auto& [joint, from, to] = reached;
+  v("joint", joint);
+  v("from", from);
+  v("to", to);
+}
+
+void visit_state(Reach& reach, StateVisitor& v) {
+  auto& [joints, nodes, surface, outlet, walls] = reach;
+  v.growing("joints", joints);
+  v.growing("nodes", nodes);
+  v("surface", surface);
+  v("outlet", outlet);
+  v.growing("walls", walls);
+}
+
 GasPaths::GasPaths(const Model& model)
     : joints_at_(model.nodes.position.size()),
       wall_nodes_(model.hole_walls.size()),
@@ -107,7 +123,10 @@ Reach GasPaths::find(const Model& model, const std::vector<int>& own,
   reach.joints = std::move(merged);
   for (const int node : reach.nodes) {
     const int wall = wall_at_[node];
-    reach.surface = reach.surface || model.nodes.free[node];
+    if (!reach.surface && model.nodes.free[node]) {
+      reach.surface = true;
+      reach.outlet = node;
+    }
     if (wall >= 0 && std::find(own.begin(), own.end(), wall) == own.end() &&
         std::find(reach.walls.begin(), reach.walls.end(), wall) == reach.walls.end())
       reach.walls.push_back(wall);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/model.h"
+#include "model/state_visitor.h"
 
 namespace talus {
 
@@ -16,8 +17,12 @@ struct Reach {
   std::vector<ReachedJoint> joints;
   std::vector<int> nodes;  // into Model::nodes
   bool surface = false;    // a free surface is among them
+  int outlet = -1;         // node, the first on the way that is at one
   std::vector<int> walls;  // hole walls met, beside its own
 };
+
+void visit_state(ReachedJoint& joint, StateVisitor& visitor);
+void visit_state(Reach& reach, StateVisitor& visitor);
 
 // What joins the nodes of a model: settled when it is built.
 class GasPaths {

@@ -82,6 +82,50 @@ void visit_values(Scene& scene, StateVisitor& v) {
   v("edge_loads", scene.edge_loads);
 }
 
+namespace {
+
+template <class T>
+void visit(std::optional<T>& part, StateVisitor& v);
+
+void visit(double& number, StateVisitor& v) { v("number", number); }
+
+void visit(Orifice& orifice, StateVisitor& v) {
+  auto& [coefficient, gamma, density, atmosphere, opening] = orifice;
+  for (double* number : {&coefficient, &gamma, &density, &atmosphere}) v("orifice", *number);
+  visit(opening, v);
+}
+
+void visit(Stemming& stemming, StateVisitor& v) {
+  auto& [length, density, charge_length] = stemming;
+  for (double* number : {&length, &density, &charge_length}) v("stemming", *number);
+}
+
+template <class T>
+void visit(std::optional<T>& part, StateVisitor& v) {
+  bool there = part.has_value();
+  v("there", there);
+  if (there) visit(*part, v);
+}
+
+}  // namespace
+
+void visit_charges(Scene& scene, StateVisitor& v) {
+  for (Charge& charge : scene.charges) {
+    [[maybe_unused]] auto& [place, name, region, hole, delay, mass, law, check_fall, gas_speed, constant_speed, venting, orifice, stemming] = charge;
+    v("name", name);
+    v("region", region);
+    v("hole", hole);
+    v("delay", delay);
+    v("mass", mass);
+    v.growing("law", law.constants);
+    bool vents_by_function = bool(venting);
+    v("venting", vents_by_function);
+    visit(constant_speed, v);
+    visit(orifice, v);
+    visit(stemming, v);
+  }
+}
+
 void visit_state(BlockState& state, StateVisitor& v) {
   [[maybe_unused]] auto& [shift, centroid, angle, strain, bend, velocity] = state;  // bend, its rates: see Bends
   v("shift", shift);

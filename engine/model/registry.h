@@ -12,6 +12,8 @@ namespace talus {
 void visit_state(Model& model, StateVisitor& visitor);
 // The part of it that a script may change between steps: materials, joints, supports and loads.
 void visit_values(Scene& scene, StateVisitor& visitor);
+// What of its charges is no function: settled when the model is built.
+void visit_charges(Scene& scene, StateVisitor& visitor);
 
 void visit_state(BlockState& state, StateVisitor& visitor);
 void visit_state(BlockShape& shape, StateVisitor& visitor);

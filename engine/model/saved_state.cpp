@@ -74,11 +74,14 @@ Fingerprint fingerprint(Model& model) {
   StateHasher geometry(StateVisitor::Part::constant), values;
   visit_state(model, geometry);
   visit_values(model.scene, values);
+  StateHasher charges;
+  visit_charges(model.scene, charges);
   return {.blocks = std::int64_t(model.shapes.size()),
           .joints = std::int64_t(model.joints.size()),
           .vertices = std::int64_t(model.reference_vertex.size()),
           .geometry = geometry.value(),
-          .values = values.value()};
+          .values = values.value(),
+          .charges = charges.value()};
 }
 
 void check_same_scene(const Fingerprint& saved, const Fingerprint& present) {
@@ -94,6 +97,10 @@ void check_same_scene(const Fingerprint& saved, const Fingerprint& present) {
     throw StateError(
         "was saved from a scene whose materials, joints, supports or loads were given other values; give them as "
         "then, and change them after the restore");
+  if (saved.charges != present.charges)
+    throw StateError(
+        "was saved from a scene whose charges were others than this one's: their names, holes, delays, and all that is given by "
+        "numbers must be as then");
 }
 
 }  // namespace talus

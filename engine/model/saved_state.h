@@ -118,6 +118,7 @@ struct Fingerprint {
   std::int64_t blocks = 0, joints = 0, vertices = 0;
   std::uint64_t geometry = 0;  // constants of the model
   std::uint64_t values = 0;    // materials, joints, supports and loads as the script gave them
+  std::uint64_t charges = 0;   // all of them that is no function
 };
 Fingerprint fingerprint(Model& model);
 // Throws StateError naming what differs.

@@ -31,7 +31,7 @@ std::string header(const Model& model, const Plan& plan, const std::vector<std::
   if (plan.fracture) line += ",failed_bonds,tension_cracks [m],shear_cracks [m],fragments";
   if (plan.gas)
     for (const HoleWall& wall : model.hole_walls)
-      for (const char* what : {".volume [m3/m]", ".pressure [Pa]"})
+      for (const char* what : {".volume [m3/m]", ".joined [m3/m]", ".pressure [Pa]"})
         line += "," + csv_cell(model.scene.charges[wall.charge].name + what);
   for (const std::string& name : moving)
     for (const char* axis : {".ux [m]", ".uy [m]", ".reaction_x [N/m]", ".reaction_y [N/m]"}) line += "," + csv_cell(name + axis);
@@ -125,7 +125,7 @@ void HistoryTable::add(Simulation& simulation, double residual, const std::vecto
   if (simulation.plan.gas)
     for (size_t wall = 0; wall < model.hole_walls.size(); ++wall) {
       const Chamber& chamber = simulation.gas()->chambers()[simulation.gas()->chamber_of(int(wall))];
-      line += "," + shortest(chamber.volume) + "," + shortest(chamber.pressure);
+      line += "," + shortest(chamber.volume) + "," + shortest(chamber.joined) + "," + shortest(chamber.pressure);
     }
   for (const MovingSupport& support : moving_supports(simulation, moving_))
     for (const Vec2& pair : {support.shift, support.reaction})

@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr std::string_view magic = "talus saved state\n";
-constexpr std::uint64_t format = 3;  // 2: the generator of random numbers too; 3: checksum by eights
+constexpr std::uint64_t format = 4;  // 2: the generator of random numbers too; 3: checksum by eights; 4: charges of the scene
 
 // FNV-1a by eight bytes at a time, an eighth of the time: each step is a bijection, so that no single change goes unseen.
 std::uint64_t checksum(std::string_view bytes) {
@@ -52,6 +52,7 @@ void write_state(const std::string& path, const SavedRun& saved) {
     append(body, std::uint64_t(count));
   append(body, saved.scene.geometry);
   append(body, saved.scene.values);
+  append(body, saved.scene.charges);
   for (const std::string* part : {&saved.engine, &saved.output, &saved.script})
     append(body, std::string_view(*part));
   std::string bytes;
@@ -92,6 +93,7 @@ SavedRun read_state(const std::string& path) {
     *count = std::int64_t(reader.whole());
   saved.scene.geometry = reader.whole();
   saved.scene.values = reader.whole();
+  saved.scene.charges = reader.whole();
   for (std::string* part : {&saved.engine, &saved.output, &saved.script}) *part = reader.text();
   return saved;
 }

@@ -1,5 +1,6 @@
 // Charges find the walls of their holes, and the gas the free surfaces where it vents.
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <numbers>
 #include <set>
@@ -55,6 +56,15 @@ void refuse_dashpots(const Model& model, const HoleWall& wall) {
                          "\"" + model.scene.regions[charge.region].holes[charge.hole].name + "\", part of which is a viscous boundary");
 }
 
+// A delay in seconds that was meant in milliseconds, for one.
+void note_late(Model& model, const Charge& charge) {
+  const TimeControl& time = model.scene.time;
+  if (time.mode != Mode::dynamic || charge.delay < time.t_end) return;
+  char text[100];
+  std::snprintf(text, sizeof text, "its delay of %g s does not end before t_end = %g s", charge.delay, time.t_end);
+  model.notes.push_back("charge \"" + charge.name + "\" does not go off: " + text);
+}
+
 }  // namespace
 
 void attach_charges(Model& model, const std::vector<FreeEdge>& edges) {
@@ -63,6 +73,7 @@ void attach_charges(Model& model, const std::vector<FreeEdge>& edges) {
   for (size_t c = 0; c < model.scene.charges.size(); ++c) {
     model.hole_walls.push_back(wall_of(model, int(c), edges));
     refuse_dashpots(model, model.hole_walls.back());
+    note_late(model, model.scene.charges[c]);
     for (const BlockEdge& edge : model.hole_walls.back().edges) closed.insert({edge.block, edge.edge});
   }
   std::vector<int> node_of(model.reference_vertex.size(), -1);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <optional>
 
 #include "geometry/polygon.h"
 #include "scene/build_parts.h"
@@ -37,6 +38,28 @@ void check_outline(Polyline& outline, const Place& place, const std::string& fie
   outline = std::move(turned);
 }
 
+// Where a corner of one lies on the other, to the round-off of what divides a region, which needs a gap between its boundaries.
+std::optional<Vec2> touch(const Polyline& a, const Polyline& b) {
+  constexpr double round_off = 1e-14;
+  const auto box_a = box_of(a), box_b = box_of(b);
+  const double near = round_off * std::max(box_a.merged(box_b).min().cwiseAbs().maxCoeff(), box_a.merged(box_b).max().cwiseAbs().maxCoeff());
+  if (box_a.exteriorDistance(box_b) > near) return std::nullopt;
+  for (const auto& [corners, boundary] : {std::pair{&a, &b}, {&b, &a}})
+    for (const Vec2& p : *corners)
+      if (distance_to_boundary(*boundary, p) <= near) return p;
+  return std::nullopt;
+}
+
+void check_touch(const Region& region, size_t h, const Place& place, const std::string& field) {
+  const Polyline& own = region.holes[h].outline;
+  if (const auto at = touch(own, region.outlines[0]))
+    throw InputError(place, field, "a hole that keeps off the region's outline", "one that touches it at " + pair_text(*at));
+  for (size_t other = 0; other < h; ++other)
+    if (const auto at = touch(own, region.holes[other].outline))
+      throw InputError(place, field, "holes that keep off each other",
+                       "one that touches hole \"" + region.holes[other].name + "\" at " + pair_text(*at));
+}
+
 void check_holes(Region& region) {
   const std::string owner = "region \"" + region.name + "\"";
   for (size_t h = 0; h < region.holes.size(); ++h) {
@@ -54,6 +77,7 @@ void check_holes(Region& region) {
     for (size_t other = 0; other < h; ++other)
       if (overlap_area(region.holes[other].outline, hole.outline) > 0)
         throw InputError(place, field, "holes that do not overlap", "an overlap with hole \"" + region.holes[other].name + "\"");
+    check_touch(region, h, place, field);
   }
 }
 
@@ -61,13 +85,39 @@ void check_holes(Region& region) {
 // met overlapping do not press (theory, § 5). More is a mistake.
 constexpr double slight_overlap = 5e-3;
 
+double area_of(const Region& region) {
+  double area = signed_area(region.outlines[0]);
+  for (const Hole& hole : region.holes) area -= signed_area(hole.outline);
+  return area;
+}
+
+struct Piece {
+  const Region* region;
+  const Polyline* outline;
+  Eigen::AlignedBox2d box;
+  bool has_holes() const { return outline == &region->outlines[0]; }  // those of its region lie in its first outline
+  double area() const { return has_holes() ? area_of(*region) : signed_area(*outline); }
+};
+
+// What the holes of `a` take away from its overlap with the outline of `b`.
+double overlap_of_holes(const Piece& a, const Polyline& b) {
+  double area = 0;
+  if (a.has_holes())
+    for (const Hole& hole : a.region->holes) area += overlap_area(hole.outline, b);
+  return area;
+}
+
+// The area of rock that two pieces share. Holes lie in their outlines and apart from each other, so what two holes share has been
+// taken away twice.
+double shared_rock(const Piece& a, const Piece& b) {
+  double area = overlap_area(*a.outline, *b.outline) - overlap_of_holes(a, *b.outline) - overlap_of_holes(b, *a.outline);
+  if (b.has_holes())
+    for (const Hole& hole : b.region->holes) area += overlap_of_holes(a, hole.outline);
+  return area;
+}
+
 // Sorted by their left ends, so that only near neighbours are compared.
 void check_overlaps(const Scene& scene) {
-  struct Piece {
-    const Region* region;
-    const Polyline* outline;
-    Eigen::AlignedBox2d box;
-  };
   std::vector<Piece> pieces;
   for (const Region& region : scene.regions)
     for (const Polyline& outline : region.outlines) pieces.push_back({&region, &outline, box_of(outline)});
@@ -76,9 +126,9 @@ void check_overlaps(const Scene& scene) {
   for (size_t a = 0; a < pieces.size(); ++a) {
     for (size_t b = a + 1; b < pieces.size() && pieces[b].box.min().x() < pieces[a].box.max().x(); ++b) {
       const Vec2 shared = pieces[a].box.intersection(pieces[b].box).sizes();  // negative where they are apart
-      const double smaller = std::min(signed_area(*pieces[a].outline), signed_area(*pieces[b].outline));
+      const double smaller = std::min(pieces[a].area(), pieces[b].area());
       if (shared.minCoeff() <= 0 || shared.prod() < slight_overlap * smaller) continue;
-      const double area = overlap_area(*pieces[a].outline, *pieces[b].outline);
+      const double area = shared_rock(pieces[a], pieces[b]);
       if (area <= slight_overlap * smaller) continue;
       const bool later = pieces[a].region < pieces[b].region;
       const Region& second = later ? *pieces[b].region : *pieces[a].region;
@@ -106,12 +156,6 @@ std::string enough(double value) {
   value *= 1.05;
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
   return number(std::ceil(value / unit) * unit);
-}
-
-double area_of(const Region& region) {
-  double area = signed_area(region.outlines[0]);
-  for (const Hole& hole : region.holes) area -= signed_area(hole.outline);
-  return area;
 }
 
 double lines_of(const JointSet& set, const Polyline& outline) {

@@ -189,6 +189,7 @@ struct GasMoment {
 struct GasLaw {
   std::function<double(double v, const GasMoment&)> pressure;  // Pa, falling with v
   std::function<double(double from, double to)> work;          // J per m3 of the first volume, ∫ P dv; empty: by quadrature
+  std::vector<double> constants;                               // that it is made of; empty: a function of the script
 };
 
 // Gas leaves a chamber through what is open at the free surfaces it has reached (gas/orifice.h).
@@ -215,7 +216,10 @@ struct Charge {
   double delay = 0;            // s, scatter included
   double mass = 0;             // kg per metre; 0: the gas is given, not the explosive
   GasLaw law;
+  // Of a law that is a function: throws where its pressure grows from one v to a larger one, whichever comes first. Empty else.
+  std::function<void(double v, double other, const GasMoment&)> check_fall;
   std::function<double(const GasMoment&)> gas_speed;  // m/s into cracks
+  std::optional<double> constant_speed;               // m/s, what gas_speed is; none: a function of the script
   // Part of the pressure left after the gas has reached a free surface. Neither: none, at once.
   std::function<double(const GasMoment&)> venting;
   std::optional<Orifice> orifice;

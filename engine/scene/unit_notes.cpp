@@ -23,6 +23,13 @@ void doubt(const std::string& what, double value, const char* least, const char*
   notes.push_back(what + text);
 }
 
+// The constants of an explosive are known: what is left is how it was loaded.
+void doubt_density(const Charge& charge, double pressure, std::vector<std::string>& notes) {
+  char text[120];
+  std::snprintf(text, sizeof text, "its first pressure = %g Pa is less than the atmosphere's: is its density in kg/m3?", pressure);
+  notes.push_back("charge \"" + charge.name + "\": " + text);
+}
+
 }  // namespace
 
 void doubt_units(const Scene& scene, std::vector<std::string>& notes) {
@@ -39,7 +46,11 @@ void doubt_units(const Scene& scene, std::vector<std::string>& notes) {
   for (const Charge& charge : scene.charges) {
     if (!charge.law.work) continue;  // a law in Lua is called once more for nothing else
     const double pressure = charge.law.pressure(1, {.volume = 1, .first_volume = 1});
-    if (pressure > 0 && pressure < least_pressure) doubt("charge \"" + charge.name + "\": its first pressure", pressure, "the atmosphere's", "MPa", notes);
+    if (pressure <= 0 || pressure >= least_pressure) continue;
+    if (charge.mass > 0)
+      doubt_density(charge, pressure, notes);
+    else
+      doubt("charge \"" + charge.name + "\": its first pressure", pressure, "the atmosphere's", "MPa", notes);
   }
 }
 

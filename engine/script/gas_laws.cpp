@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <initializer_list>
 #include <numbers>
 #include <vector>
@@ -17,7 +18,8 @@ namespace {
 
 // A function whose result lies in [0, most]; its faults end the run. It gets the first numbers, which messages
 // show, and those of the chamber, of which lib/talus/gas.lua makes the table that the script sees.
-std::function<double(std::initializer_list<double>, const GasMoment&)> number_law(
+using NumberLaw = std::function<double(std::initializer_list<double>, const GasMoment&)>;
+NumberLaw number_law(
     const LuaFunction& law, const Place& place, const std::string& label, const char* argument, double most,
     const char* expected) {
   return [=](std::initializer_list<double> numbers, const GasMoment& m) {
@@ -30,6 +32,21 @@ std::function<double(std::initializer_list<double>, const GasMoment&)> number_la
                        expected + ", got " + std::to_string(result.value);
     if (!result.problem.empty()) throw LawError(place.text() + ": " + label + ": " + result.problem);
     return result.value;
+  };
+}
+
+// A function is declared for v >= 1. Where rock has closed in on the gas, and where a solver tries volumes that no step comes to, it
+// has the pressure that it has at 1.
+void read_eos(const NumberLaw& eos, Charge& c) {
+  const auto pressure = [eos](double v, const GasMoment& m) { return eos({v > 1 ? v : 1, m.t}, m); };
+  c.law.pressure = pressure;
+  c.check_fall = [pressure, place = c.place](double v, double other, const GasMoment& m) {
+    const auto [less, more] = std::minmax(v, other);
+    const double most = pressure(less, m), found = pressure(more, m);
+    if (found <= most * (1 + 1e-9)) return;
+    char text[200];
+    std::snprintf(text, sizeof text, "at v = %g, t = %g at most that at v = %g, %.6g (Pa), got %.6g", more, m.t, less, most, found);
+    throw LawError(place.text() + ": charge.eos: expected a pressure that falls as the gas expands: " + text);
   };
 }
 
@@ -95,18 +112,17 @@ Charge read_charge(const TableReader& t) {
   constexpr double no_bound = 1e300;
   const auto law = [&](const char* key, const char* label, const char* argument, double most,
                        const char* expected) {
-    std::function<double(std::initializer_list<double>, const GasMoment&)> found;
+    NumberLaw found;
     if (!t.push(key)) return found;
     found = number_law(LuaFunction(L, -1), c.place, label, argument, most, expected);
     lua_pop(L, 1);
     return found;
   };
   if (const auto eos = law("eos", "charge.eos", "v", no_bound, "a pressure >= 0 (Pa)"))
-    c.law.pressure = [eos](double v, const GasMoment& m) { return eos({v, m.t}, m); };
+    read_eos(eos, c);
   t.with("law", [&](const TableReader& l) { c.law = ready_made(l); });
-  double constant = 0;
-  t.read("speed", constant);
-  c.gas_speed = [constant](const GasMoment&) { return constant; };
+  t.read("speed", c.constant_speed);
+  c.gas_speed = [constant = c.constant_speed.value_or(0)](const GasMoment&) { return constant; };
   if (const auto speed = law("speed_law", "charge.gas_speed", "t", no_bound, "a speed >= 0 (m/s)"))
     c.gas_speed = [speed](const GasMoment& m) { return speed({m.t}, m); };
   if (const auto part = law("venting", "charge.venting", "t", 1, "a part from 0 to 1"))

@@ -140,6 +140,7 @@ std::optional<StepReport> Run::step() {
     if (!began_ && output_) output_->after_step(simulation);  // the start
     began_ = true;
     simulation.step();
+    for (const std::string& note : early_venting(simulation)) simulation.notes.push_back(note);
     tell_notes();
   } catch (const LawError& error) {
     failure_ = error.what();

@@ -61,6 +61,8 @@ void Sleep::wake_loaded(const Model& model, const Scheme& scheme, std::vector<ch
   for (const int b : sleepers_) touch(regions + size_t(model.shapes[b].region), b);
   for (const PointFixity& point : model.point_fixities) touch(supports + size_t(point.fixity), point.block);
   for (const EdgeFixity& edge : model.edge_fixities) touch(supports + size_t(edge.fixity), edge.block);
+  // Another pressure each step, and another volume when the step is over.
+  for (const GasFace& face : model.gas_faces) woken[model.asleep[face.block]] = 1;
   inputs_ = std::move(now);
 }
 
@@ -99,6 +101,7 @@ void Sleep::fall_asleep(Model& model, const IslandSolver& islands, const std::ve
     if (!free_a && !stands_still(model.blocks[a].velocity)) moves[b] = 1;
     if (!free_b && !stands_still(model.blocks[b].velocity)) moves[a] = 1;
   }
+  for (const GasFace& face : model.gas_faces) moves[face.block] = 1;
   for (int b = 0; b < count; ++b)
     if (moves[b]) moves[root(b)] = 1;
   bool any = false;

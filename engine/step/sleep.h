@@ -5,6 +5,7 @@
 // when
 // - the box of something that is awake, grown by its motion, meets that of one of its blocks,
 // - a load, body force or support on one of its blocks asks for something else than in the last step,
+// - gas presses on one of its blocks: as long as it does, the group stays awake,
 // - the script changes anything (Model::changed).
 #include "contact/box_grid.h"
 #include "model/state_visitor.h"

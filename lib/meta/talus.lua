@@ -372,7 +372,7 @@ function talus.probe(fields) end
 ---@field explosive? "TNT"|"ANFO"|"emulsion"|talus.explosive|table what it is, by name or by its constants: its gas is on the isentrope of JWL (`talus.eos.jwl`). This or `eos`
 ---@field density? number kg/m3; > 0; of the explosive as it is loaded: it begins at as much more room for its mass
 ---@field diameter? number m; > 0; of the explosive, at most the hole's; the rest of the hole is empty (decoupling)
----@field eos? function|talus.polytropic|talus.jwl a `talus.eos`, or `function(v, t, chamber)` that returns the pressure (Pa) at v = V/V0, V0 the volume of the hole when it goes off: > 0, and falling as v grows; t seconds after that. This or `explosive`. The gas's work in a step is by the law at the middle of the step. Chamber: {name, volume, first_volume (m3 per metre), pressure (Pa), front (m)}, as it was at the beginning of the step; tried with 1 m3 under 1 MPa
+---@field eos? function|talus.polytropic|talus.jwl a `talus.eos`, or `function(v, t, chamber)` that returns the pressure (Pa) at v = V/V0, V0 the volume of the hole when it goes off: > 0, and falling as v grows; t seconds after that. This or `explosive`. The gas's work in a step is by the law at the middle of the step. Chamber: {name, volume, first_volume (m3 per metre), pressure (Pa), front (m)}, as it was at the beginning of the step; tried with 1 m3 under 1 MPa, from v = 1 to 10 000. That the pressure falls is seen to in the run too. Where rock has closed in on the gas (v < 1) the law is asked for v = 1
 ---@field gas_speed? number|function of the gas in cracks: a number or `function(t, chamber)`, t seconds after it went off; the gas has come as far from the hole's centre as ∫ speed dt, and is at the wall before that
 ---@field venting? function|talus.orifice a `talus.venting.orifice`, or `function(t, chamber)` that returns the part of the pressure left, t seconds after the gas has reached a free surface, or has thrown out the stemming
 ---@field stemming? talus.stemming what closes the hole: the chamber vents when it is out
@@ -458,7 +458,7 @@ function talus.eos.jwl(fields) end
 ---@field output? talus.output|table what is written
 ---@field on_step? function `function(sim)`, called once after each accepted step
 ---@field on_fracture? function `function(sim, cracks)`, called after a step in which bonds failed, before on_step: a list of `{ joint, mode = "tension" or "shear", kind = "initiated", "propagated" or "coalesced", x, y, length, time, normal, shear, utilisation }`, tractions in Pa
----@field on_gas? function `function(sim, events)`, called after a step in which a charge went off, a chamber vented or two met: a list of `{ kind = "detonation", "venting" or "merging", charge, other, time, volume, pressure, by }`, by = "surface" or "stemming" what a chamber vents through
+---@field on_gas? function `function(sim, events)`, called after a step in which a charge went off, a chamber vented or two met: a list of `{ kind = "detonation", "venting" or "merging", charge, other, time, volume, pressure, by, x, y }`, by = "surface" or "stemming" what a chamber vents through, x, y (m) where: the point of the free surface that its gas has come to, or the middle of the hole
 ---@field stop? function `function(sim)`, called after each accepted step, after on_step: the run ends where it returns true
 ---@field on_output? function `function(sim)`, called after each output time was written
 ---@field max_blocks? integer >= 1; a mesh that would give more is refused

@@ -33,6 +33,7 @@ local function new_assembly(simulation)
               edge_loads = {}, viscous = {}, probes = {} },
     properties = {},  -- joint -> { [young or false] = index }
     changes = {},     -- { object, list, index, flat = function() … end }
+    settled = {},     -- objects that must stay as they are
   }
 end
 
@@ -164,6 +165,13 @@ local function add_viscous(assembly, links)
   end
 end
 
+local function add_charges(assembly, charges, regions, links)
+  assembly.scene.charges = gas.flatten(charges, regions, links)
+  for _, charge in ipairs(charges) do
+    for _, part in ipairs(gas.parts(charge)) do table.insert(assembly.settled, part) end
+  end
+end
+
 local function add_probes(assembly, links)
   for i, entry in ipairs(given(assembly.simulation, "probes") or {}) do
     local probe = entry.value
@@ -240,7 +248,7 @@ local function assemble(simulation)
   add_contacts(assembly, given(simulation, "contacts") or {})
   add_boundaries(assembly, links)
   add_viscous(assembly, links)
-  if given(simulation, "charges") then scene.charges = gas.flatten(given(simulation, "charges"), regions, links) end
+  if given(simulation, "charges") then add_charges(assembly, given(simulation, "charges"), regions, links) end
   add_probes(assembly, links)
   scene.time = time_of(given(simulation, "time"))
   scene.numerics = numerics_of(given(simulation, "numerics") or profile.presets.default)

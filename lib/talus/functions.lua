@@ -38,7 +38,7 @@ return {
         .. " when, and what is left; a joint of this simulation or its number" },
     { "sim.reactions.name", "{x, y} (N per metre) of the fixities of that name on what they hold" },
     { "sim.collapsed", "whether a static run has ended at a load that nothing holds" },
-    { "sim.charges[1], sim.charges.name", "the chamber that holds the charge's gas: {name, state (\"waiting\", \"pressing\", \"vented\"),"
+    { "sim.charges[1], sim.charges.name", "the chamber that holds the charge's gas, to be read only: {name, state (\"waiting\", \"pressing\", \"vented\"),"
         .. " vented, vented_at (s), volume, first_volume (m3 per metre), pressure (Pa), front (m), work (J/m, by its law), joined (m3 per"
         .. " metre, filled as it entered cracks), reach (m of joints that it has entered), reached ({ {joint, from, to}, … }, parts of"
         .. " them), delay (s, with its scatter), mass (kg per metre, of a charge given by its explosive), left (part of its gas that has not"

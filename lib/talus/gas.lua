@@ -59,19 +59,23 @@ local function tried(name, volume)
   return view
 end
 
+-- From 1 to 10 000, ten to each doubling. Far out a pressure may be too small for a number.
+local trials, far = {}, 100
+for k = 0, 133 do trials[k + 1] = 2^(k/10) end
+
 local function try_eos(law, name, bad)
   for _, t in ipairs { 0, 1e-3 } do
-    local last = math.huge
-    for _, v in ipairs { 1, 1.5, 2, 5, 20, 100 } do
+    local last, before = math.huge, nil
+    for _, v in ipairs(trials) do
       local text = ("at v = %g"):format(v) .. (t > 0 and (", t = %g"):format(t) or "")
       local pressure = try(law, text, "eos", bad, function(p)
-        return not (finite(p) and p > 0) and "a pressure > 0 (Pa)" or nil
+        return not (finite(p) and (p > 0 or p == 0 and v > far)) and "a pressure > 0 (Pa)" or nil
       end, v, t, tried(name, v))
       if pressure > last*(1 + 1e-9) then
-        bad("eos", ("a pressure that falls as the gas expands: at most %.6g (Pa) %s"):format(last, text),
+        bad("eos", ("a pressure that falls as the gas expands: %s at most that at v = %g, %.6g (Pa)"):format(text, before, last),
           ("%.6g"):format(pressure))
       end
-      last = pressure
+      last, before = pressure, v
     end
   end
 end
@@ -130,6 +134,17 @@ local function flatten_eos(law)
   return explosives.jwl(law)
 end
 
+-- A second hole of that name: in the same region, whose name is given then, or in another.
+local function refuse_second(charge, region)
+  local wanted = given(charge, "hole")
+  if region then
+    places.fail(object.place(charge), ("charge.hole: expected a hole with a name of its own, got %q, of which region %q has two")
+      :format(wanted, region))
+  end
+  places.fail(object.place(charge), ("charge.region: expected the region of hole %q, of which there are two, got nothing")
+    :format(wanted))
+end
+
 -- Region and hole by number.
 local function find_hole(charge, regions, links)
   local wanted, region = given(charge, "hole"), given(charge, "region")
@@ -140,10 +155,7 @@ local function find_hole(charge, regions, links)
       local name = given(hole, "name") or ("hole %d"):format(h)
       names[#names + 1] = name
       if name == wanted and (not asked or candidate == asked) then
-        if found then
-          places.fail(object.place(charge), ("charge.region: expected the region of hole %q, of which there are two, got"
-            .. " nothing"):format(wanted))
-        end
+        if found then refuse_second(charge, found.region == r and (given(candidate, "name") or ("region %d"):format(r))) end
         found = { region = r, hole = h, outline = given(hole, "points") }
       end
     end
@@ -166,9 +178,8 @@ local function flatten_stemming(stemming)
   return stemming and { length = get(stemming, "length"), density = get(stemming, "density"), charge_length = given(stemming, "charge_length") }
 end
 
-local function flatten_charge(charge, i, at)
-  local name, eos, speed, venting = given(charge, "name") or ("charge %d"):format(i), given(charge, "eos"), get(charge, "gas_speed"),
-    given(charge, "venting")
+local function flatten_charge(charge, name, i, at)
+  local eos, speed, venting = given(charge, "eos"), get(charge, "gas_speed"), given(charge, "venting")
   local law, mass, density
   if eos then law = flatten_eos(eos) else law, mass, density = explosives.charge(charge, at.outline) end
   local function of_script(value, wrap) return type(value) == "function" and wrap(value, name) or nil end
@@ -181,8 +192,18 @@ local function flatten_charge(charge, i, at)
            stemming = flatten_stemming(given(charge, "stemming")) }
 end
 
+-- A charge and what it is made of: objects without anything that could change while a simulation uses them.
+function gas.parts(charge)
+  local parts = { charge }
+  for _, name in ipairs { "explosive", "eos", "venting", "stemming" } do
+    local part = given(charge, name)
+    if object.kind(part) then parts[#parts + 1] = part end
+  end
+  return parts
+end
+
 function gas.flatten(charges, regions, links)
-  local list, taken = {}, {}
+  local list, taken, named = {}, {}, {}
   for i, charge in ipairs(charges) do
     local at = find_hole(charge, regions, links)
     local key = at.region .. "/" .. at.hole
@@ -190,8 +211,13 @@ function gas.flatten(charges, regions, links)
       places.fail(object.place(charge), ("charge.hole: expected a hole of its own, got %q, which has a charge already"):format(
         given(charge, "hole")))
     end
-    taken[key] = true
-    list[i] = flatten_charge(charge, i, at)
+    local name = given(charge, "name") or ("charge %d"):format(i)
+    if named[name] then
+      places.fail(object.place(charge), ("charge.name: expected a name of its own, got %q, the name of charge %d"):format(name,
+        named[name]))
+    end
+    taken[key], named[name] = true, i
+    list[i] = flatten_charge(charge, name, i, at)
   end
   return list
 end

@@ -18,6 +18,7 @@ local function simulation(fields)
       native.update(sim, change.list, change.index, change.flat(), object.kind(change.object))
     end)
   end
+  for _, part in ipairs(assembly.settled) do object.bind(part, sim, function() end) end
   saving.keep(sim, assembly.changes)
   return sim
 end

@@ -13,7 +13,7 @@ constexpr Jwl anfo = {49.46e9, 1.891e9, 3.907, 1.118, 0.333, 2.484e9};
 
 TEST(GasLaw, WorkIsTheIntegralOfThePressure) {
   for (const GasLaw& law : {polytropic(1e9, 1.4), polytropic(1e9, 1), jwl(anfo, 1), jwl(anfo, 0.5)}) {
-    const GasLaw by_quadrature = {law.pressure, {}};
+    const GasLaw by_quadrature = {law.pressure, {}, {}};
     for (const double to : {1 + 1e-6, 1.1, 2., 131.4})
       EXPECT_NEAR(work(law, 1, to) / work(by_quadrature, 1, to), 1, 1e-6) << to;
     EXPECT_NEAR(work(law, 1, 3) + work(law, 3, 9), work(law, 1, 9), 1e-12 * work(law, 1, 9));
@@ -34,7 +34,7 @@ TEST(GasLaw, AnExplosiveGivesItsEnergy) {
 
 // A law that depends on the moment is taken at that moment throughout.
 TEST(GasLaw, WorkAtOneMoment) {
-  const GasLaw law = {[](double v, const GasMoment& m) { return (1 + m.t) * 1e6 / v; }, {}};
+  const GasLaw law = {[](double v, const GasMoment& m) { return (1 + m.t) * 1e6 / v; }, {}, {}};
   EXPECT_NEAR(work(law, 1, 8, {.t = 2}), 3e6 * std::log(8), 1);
 }
 

@@ -236,7 +236,7 @@ TEST(VtkCracks, ShowHowFarTheGasHasCome) {
   scene.time = {};
   scene.time.t_end = 0.05;
   scene.time.dt = 1e-3;
-  scene.charges = {{{}, "charge", 0, 0, 0, 0, polytropic(1e-3, 1.4), [](const GasMoment&) { return 10.; }, {}, {}, {}}};
+  scene.charges = {{{}, "charge", 0, 0, 0, 0, polytropic(1e-3, 1.4), {}, [](const GasMoment&) { return 10.; }, 10., {}, {}, {}}};
   Simulation simulation(scene);
   while (!simulation.finished()) simulation.step();
   write_cracks_vtp(scratch_vtk("cracks.vtp"), simulation.model, simulation.gas());

@@ -26,7 +26,7 @@ end
 local function wanted_probes(sim, options)
   if not given(options, "probes") then
     local list = {}
-    for _, probe in ipairs(sim.probes) do list[#list + 1] = probe end
+    for i = 1, #sim.probes do list[i] = sim.probes[i] end  -- not to the one after the last, which messages would tell of
     return list
   end
   local list = {}

@@ -26,7 +26,8 @@ return {
         doc = "a `talus.eos`, or `function(v, t, chamber)` that returns the pressure (Pa) at v = V/V0, V0 the volume of the hole when it"
           .. " goes off: > 0, and falling as v grows; t seconds after that. This or `explosive`. The gas's work in a step is by the law"
           .. " at the middle of the step. Chamber: {name, volume, first_volume (m3 per metre), pressure (Pa), front (m)}, as it was at"
-          .. " the beginning of the step; tried with 1 m3 under 1 MPa" },
+          .. " the beginning of the step; tried with 1 m3 under 1 MPa, from v = 1 to 10 000. That the pressure"
+          .. " falls is seen to in the run too. Where rock has closed in on the gas (v < 1) the law is asked for v = 1" },
       { name = "gas_speed", type = "any", of = { { type = "number", least = 0, unit = "m/s" }, { type = "function" } },
         default = 100, doc = "of the gas in cracks: a number or `function(t, chamber)`, t seconds after it went off; the gas has come as"
           .. " far from the hole's centre as ∫ speed dt, and is at the wall before that", source = "Ning et al. 2011" },
