@@ -251,7 +251,7 @@ void Gas::end_step(double dt) {
 }
 
 // A law that grows on the way, between the volumes that were tried when it was declared, would make gas from nothing. That of a mixture
-// is asked for volumes by halving, and only of charges that passed this before they met.
+// is asked for any volume by its search, and only of charges that passed this before they met.
 void Gas::check_fall(const Chamber& chamber, double before, const GasMoment& now) const {
   if (chamber.charges.size() > 1) return;
   const int charge = chamber.charges[0];
