@@ -36,6 +36,16 @@ local joint = talus.joint { name = "artificial", friction = 45*u.deg, cohesion =
                             scatter = seed > 0 and talus.laws.weibull { modulus = 12, seed = seed } or nil }
 local faces = talus.joint { name = "faces", friction = 45*u.deg, stiffness = pressed }
 
+local curve, before = {}, nil  -- chamber volume every 5 ms until it vents, m3/m
+local function follow(sim)
+  local now = { time = sim.time, volume = sim.charges[1].volume }
+  while before and not sim.state.vented and now.time >= 5e-3*(#curve + 1) do
+    local part = (5e-3*(#curve + 1) - before.time)/(now.time - before.time)
+    curve[#curve + 1] = before.volume + part*(now.volume - before.volume)
+  end
+  before = now
+end
+
 local sim = talus.simulation {
   title   = "Cast blast (Ning et al. 2011)",
   gravity = {0, -9.81},
@@ -53,6 +63,7 @@ local sim = talus.simulation {
   time       = { t_end = t_end, start = "settled", displacement_ratio = 0.005 },
   probes     = { p4 = {3.5, 2.0}, p8 = {11.5, 1.0}, surface = {7.5, 4.99}, far = {0.5, 4.9} },
   output     = { dir = "out/cast_blast", every = t_end > 0.1 and 0.02 or 1e-3, picture = "speed" },
+  on_step    = follow,
   on_gas     = function(sim, events)
     for _, event in ipairs(events) do
       sim:log("%s at %.2f ms: %.3f m3, %.3g MPa", event.kind, 1e3*event.time, event.volume, event.pressure/u.MPa)
@@ -99,6 +110,9 @@ if sim.time > 0.5 then
   talus.result("rise_at", sim.highest.time, "s")
   talus.result("speed", speed, "m/s")
   if damped and t_end >= 5 then talus.check.below("at rest: mean speed over root of g times the bench's height", speed/math.sqrt(9.81*5), 1e-3) end
+end
+for k = 2, #curve - 1 do
+  talus.check.above(("volume at %d ms: growth of the next 5 ms over that of the last, m3/m"):format(5*k), curve[k+1] - 2*curve[k] + curve[k-1], 0)
 end
 talus.check.near("P V^1.4 at the last pressure", vented and vented.pressure*(vented.volume/charge.first_volume)^1.4
   or charge.pressure*(charge.volume/charge.first_volume)^1.4, 1*u.GPa, { rel = 1e-10 })
