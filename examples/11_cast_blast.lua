@@ -111,7 +111,7 @@ if sim.time > 0.5 then
   talus.result("speed", speed, "m/s")
   if damped and t_end >= 5 then talus.check.below("at rest: mean speed over root of g times the bench's height", speed/math.sqrt(9.81*5), 1e-3) end
 end
-for k = 2, #curve - 1 do
+for k = 2, math.min(#curve - 1, 5) do  -- as long as the paper shows it
   talus.check.above(("volume at %d ms: growth of the next 5 ms over that of the last, m3/m"):format(5*k), curve[k+1] - 2*curve[k] + curve[k-1], 0)
 end
 talus.check.near("P V^1.4 at the last pressure", vented and vented.pressure*(vented.volume/charge.first_volume)^1.4

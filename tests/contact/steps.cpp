@@ -11,11 +11,15 @@ namespace talus::study {
 
 namespace {
 
+bool of_steps(const std::string& part) {
+  return part == "contact search" || part == "assembly" || part == "open-close and solve" || part == "update" || part == "fracture";
+}
+
 // CPU of the steps, s: nothing that a step does not need.
 double step_seconds(const RunTotals& totals) {
   double sum = 0;
   for (const auto& [part, seconds] : totals.parts)
-    if (part == "contact search" || part == "assembly" || part == "open-close and solve" || part == "update" || part == "fracture") sum += seconds;
+    if (of_steps(part)) sum += seconds;
   return sum;
 }
 
@@ -41,6 +45,7 @@ int report_steps(const std::string& script, const std::vector<std::pair<std::str
   Row all, now;
   double end = 0;  // s, of the present row
   int sampled = 0;
+  RunTotals totals;  // after the last step
   options.on_run = [&](Run& run) {
     Simulation& simulation = run.simulation;
     if (simulation.model.scene.time.max_steps == 1) return;  // with which a scene makes its mesh
@@ -61,6 +66,7 @@ int report_steps(const std::string& script, const std::vector<std::pair<std::str
       now.seconds += seconds - before;
       last = of.model.time;
       before = seconds;
+      totals = of.totals;
       if (of.model.time < end * (1 - 1e-9) || now.samples == 0) return;
       char until[40];
       std::snprintf(until, sizeof until, "%.3g", of.model.time);
@@ -76,6 +82,9 @@ int report_steps(const std::string& script, const std::vector<std::pair<std::str
   };
   const int status = Session(std::move(options)).execute();
   if (all.steps > 0) print("all", all);
+  if (totals.steps > 0) std::printf("\n| part of a step | CPU, s | of all, %% |\n|---|---|---|\n");
+  for (const auto& [part, seconds] : totals.parts)
+    if (of_steps(part)) std::printf("| %s | %.3g | %.0f |\n", part.c_str(), seconds, 100 * seconds / step_seconds(totals));
   return status;
 }
 

@@ -126,14 +126,15 @@ end
 local function split(seen, from, to, k, ky, w)
   local found, worst = { P = { [1] = {0, 0}, [-1] = {0, 0} }, S = { [1] = {0, 0}, [-1] = {0, 0} } }, 0
   for axis = 1, 2 do
-    local parts, left = {}, nil
+    local parts = {}
     for part = 1, 2 do
       local rows = {}
       for column = from, to do
         local x = (column - 0.5 - #seen)*h
         rows[#rows + 1] = { math.cos(k.P*x), math.sin(k.P*x), math.cos(k.S*x), math.sin(k.S*x), seen[column][2*axis - 2 + part] }
       end
-      parts[part], left = least_squares(rows)
+      local found_part, left = least_squares(rows)
+      parts[part] = found_part
       worst = math.max(worst, left)
     end
     for i, kind in ipairs { "P", "S" } do  -- A cos + B sin = (A - iB)/2 e^(ikx) + (A + iB)/2 e^(-ikx)
