@@ -56,6 +56,31 @@ void push(Model& model, int block, const Row& change, double impulse) {
   for (size_t k = 0; k < v.size(); ++k) v[k] += impulse * change[k];
 }
 
+// Gauss–Seidel over impulses that only hold back.
+void hold_back(Model& model, std::vector<Opened>& opened) {
+  double fastest = 0, change = 0;
+  for (int sweep = 0; sweep < most_sweeps && (sweep == 0 || change > settled * fastest); ++sweep) {
+    change = 0;
+    for (Opened& contact : opened) {
+      const double over = parting(model, contact) - contact.most;
+      const double more = std::max(over / contact.mobility, -contact.impulse);
+      contact.impulse += more;
+      push(model, contact.i, contact.change_i, -more);
+      push(model, contact.j, contact.change_j, -more);
+      fastest = std::max(fastest, std::abs(over));
+      change = std::max(change, std::abs(more) * contact.mobility);
+    }
+  }
+}
+
+std::vector<int> blocks_of(const std::vector<Opened>& opened) {
+  std::vector<int> blocks;
+  for (const Opened& contact : opened) blocks.insert(blocks.end(), {contact.i, contact.j});
+  std::sort(blocks.begin(), blocks.end());
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  return blocks;
+}
+
 }  // namespace
 
 Restitution::Restitution(const Model& model, const ContactTerms& contacts) {
@@ -86,31 +111,12 @@ double Restitution::limit(Model& model, const ContactTerms& contacts, const Sche
     for (size_t l = 0; l < own.of_i.size(); ++l) own.mobility += own.of_i[l] * own.change_i[l] + own.of_j[l] * own.change_j[l];
     if (own.mobility > 0) opened.push_back(own);
   }
-  if (opened.empty()) return 0;
-  std::vector<int> blocks;
-  for (const Opened& contact : opened) blocks.insert(blocks.end(), {contact.i, contact.j});
-  std::sort(blocks.begin(), blocks.end());
-  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  const std::vector<int> blocks = blocks_of(opened);
   const auto energy = [&] {
-    double sum = 0;
-    for (const int b : blocks) sum += kinetic_energy(model, b, 0);
-    return sum;
+    return std::accumulate(blocks.begin(), blocks.end(), 0.0, [&](double sum, int b) { return sum + kinetic_energy(model, b, 0); });
   };
   const double before = energy();
-  // Gauss–Seidel over impulses that only hold back.
-  double fastest = 0, change = 0;
-  for (int sweep = 0; sweep < most_sweeps && (sweep == 0 || change > settled * fastest); ++sweep) {
-    change = 0;
-    for (Opened& contact : opened) {
-      const double over = parting(model, contact) - contact.most;
-      const double more = std::max(over / contact.mobility, -contact.impulse);
-      contact.impulse += more;
-      push(model, contact.i, contact.change_i, -more);
-      push(model, contact.j, contact.change_j, -more);
-      fastest = std::max(fastest, std::abs(over));
-      change = std::max(change, std::abs(more) * contact.mobility);
-    }
-  }
+  hold_back(model, opened);
   return before - energy();
 }
 

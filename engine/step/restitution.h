@@ -1,6 +1,6 @@
 #pragma once
 // Newton's law of impact as a bound: what has met at a speed v parts at no more than e v (JointProperty::restitution). A step that is
-// long beside the period of a contact leaves (1-θ)/θ of v, a shorter one more (docs/theory.md, § 2); this takes what is above e v.
+// long beside the period of a contact leaves (1-θ)/θ of v, a shorter one more (docs/theory.md, § 3); this takes what is above e v.
 #include "equations/contact_terms.h"
 #include "equations/scheme.h"
 

@@ -186,8 +186,9 @@ StepReport Stepper::dynamic_step(double most) {
       report.failures = int(fracture_->events().size());
       if (report.failures > 0) step_size_.broken(model_);
     }
-    if (numerics.sleeping && report.failures == 0) sleep_.fall_asleep(model_, islands_, search_.near());
+    // Before contacts are put in another order for what falls asleep.
     if (restitution) ledger_.damping_work += restitution->limit(model_, contacts_, scheme);
+    if (numerics.sleeping && report.failures == 0) sleep_.fall_asleep(model_, islands_, search_.near());
     ledger_.damping_work += damp(model_, kept);
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;

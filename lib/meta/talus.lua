@@ -29,7 +29,7 @@ function talus.material(fields) end
 ---@field penalty? number > 1; exact bonds: multiple of the least stiffness that is positive definite by proof
 ---@field stiffness? number|talus.stiffness|table normal stiffness of contacts and spring bonds: a number α for α·E/h per length, h the size of the blocks, or a `stiffness` table
 ---@field shear_ratio? number in (0, 10]; shear stiffness / normal stiffness
----@field restitution? number in [0, 1]; normal restitution of contacts, the most they give back: what has met at a speed v parts at no more than this part of v. 1: what the step leaves, by itself a third of v where it is long beside the contact's period (theory, § 2); what this takes is damping in the energy ledger
+---@field restitution? number in [0, 1]; normal restitution of contacts, the most they give back: what has met at a speed v parts at no more than this part of v. 1: what the step leaves, by itself a third of v where it is long beside the contact's period (theory, § 3); what this takes is damping in the energy ledger
 
 ---Properties of an interface: of the bonds between the blocks of a region and of contacts. Bonded, it carries tension and shear up to its strength; bonds of a joint that gives neither `tension` nor `cohesion` never fail. Broken or never bonded, it is a contact with friction.
 ---@param fields talus.joint

@@ -83,3 +83,21 @@ for _ in ball:steps() do
   if hit then apex = math.max(apex, ball.blocks[2].centroid[2] - 0.5) end
 end
 talus.check.near("bouncing: height after the first bounce, m", apex, 0.125, { rel = 5e-3 })  -- two steps at 3.1 m/s, of its height
+
+-- In the very step in which one block strikes another falls asleep, which puts the contacts in another order: the same to the bit.
+local function strike(sleeping)
+  local sim = talus.simulation { contact = talus.joint { friction = 0, restitution = 0.5 },
+    regions = { talus.region { name = "floor", outline = talus.rect(-1, -1, 5, 0), material = rock, held = true },
+                talus.region { name = "striking", outline = talus.rect(-0.5, 1e-5, 0.5, 1), material = rock, velocity = {0, -2} },
+                talus.region { name = "at rest", outline = talus.rect(3, 0, 4, 1), material = rock } },
+    time = { mode = "dynamic", t_end = 0.05, dt = 1e-4 }, numerics = { sleeping = sleeping } }
+  sim:step()
+  sim:step()  -- what sleeps is counted from the step after
+  local asleep = sim.totals.islands.asleep
+  sim:run()
+  return sim.blocks[2].velocity[2], asleep
+end
+local awake, beside, asleep = strike(false), strike(true)
+talus.check.near("restitution beside what stays awake: parts at, of the speed before", awake/2, 0.5, { abs = 1e-6 })
+talus.check.equal("restitution beside what falls asleep: parts at, m/s", beside, awake)
+talus.check.equal("restitution: asleep after the step of the blow", asleep, 1)

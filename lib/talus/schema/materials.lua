@@ -63,7 +63,7 @@ return {
         doc = "shear stiffness / normal stiffness", source = "Shi 1988: 1/2.5" },
       { name = "restitution", type = "number", least = 0, most = 1, default = 1, live = true,
         doc = "normal restitution of contacts, the most they give back: what has met at a speed v parts at no more than this part of v. 1:"
-          .. " what the step leaves, by itself a third of v where it is long beside the contact's period (theory, § 2); what this takes is damping"
+          .. " what the step leaves, by itself a third of v where it is long beside the contact's period (theory, § 3); what this takes is damping"
           .. " in the energy ledger", source = "Newton's law of impact" },
     },
   },
