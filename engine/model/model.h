@@ -61,6 +61,7 @@ struct BlockState {
   Vec3 strain = Vec3::Zero();        // εx, εy, γxy in the block's axes, since the start; of second order at the centroid
   BendArray bend{};                  // m, of second-order blocks: model/bend.h
   std::array<double, max_dofs> velocity{};  // rates of the unknowns, m/s
+  double weighed_ahead = 0;          // s: the ledger weighs it at X + weighed_ahead·v (step/ledger.h, weigh)
 };
 
 // What a block is: constant after build.

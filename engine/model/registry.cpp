@@ -127,7 +127,7 @@ void visit_charges(Scene& scene, StateVisitor& v) {
 }
 
 void visit_state(BlockState& state, StateVisitor& v) {
-  [[maybe_unused]] auto& [shift, centroid, angle, strain, bend, velocity] = state;  // bend, its rates: see Bends
+  [[maybe_unused]] auto& [shift, centroid, angle, strain, bend, velocity, weighed_ahead] = state;  // bend, its rates: see Bends
   v("shift", shift);
   v("centroid", centroid);
   v("angle", angle);
@@ -136,6 +136,7 @@ void visit_state(BlockState& state, StateVisitor& v) {
   std::copy_n(velocity.begin(), first.size(), first.begin());
   v("velocity", first);
   std::copy(first.begin(), first.end(), velocity.begin());
+  v("weighed_ahead", weighed_ahead);
 }
 
 void visit_state(BlockShape& shape, StateVisitor& v) {

@@ -75,12 +75,12 @@ double contact_energy(const Model& model) {
   return sum;
 }
 
-double gravity_energy_ahead(const Model& model, double ahead) {
+double gravity_energy_ahead(const Model& model) {
   double sum = 0;
   for (size_t b = 0; b < model.blocks.size(); ++b)
     if (model.shapes[b].dofs > 0) {
       const auto& v = model.blocks[b].velocity;
-      sum -= ahead * model.mass(int(b)) * model.scene.gravity.dot(Vec2(v[0], v[1]));
+      sum -= model.blocks[b].weighed_ahead * model.mass(int(b)) * model.scene.gravity.dot(Vec2(v[0], v[1]));
     }
   return sum;
 }

@@ -19,6 +19,6 @@ Vec2 contact_push(const Model& model, const Contact& contact);  // N/m, on the c
 double contact_energy(const Contact& contact);  // N²/2kn + T²/2ks
 double contact_energy(const Model& model);
 
-double gravity_energy_ahead(const Model& model, double ahead);  // of the way from X to y: -m g·v `ahead`
+double gravity_energy_ahead(const Model& model);  // of the way from X to where blocks are weighed: -m g·v weighed_ahead
 
 }  // namespace talus

@@ -278,4 +278,22 @@ void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledge
   keep_largest(ledger);
 }
 
+// Theory, section 9: with blocks weighed at X + μv a step loses at least λ Δt Σ m a² + `dissipated` - Σ (λ-μ) m g·Δv. That pays for
+// moving to y those whose weight that lifts; as far as it goes, all by the same part of the way.
+void weigh(Model& model, const std::vector<BlockState>& before, const Scheme& scheme, double dissipated) {
+  const auto velocity = [](const BlockState& state) { return Vec2(state.velocity[0], state.velocity[1]); };
+  const auto late = [&](size_t b) { return model.sleeps(int(b)) || model.shapes[b].dofs == 0 ? 0 : scheme.bond_ahead - model.blocks[b].weighed_ahead; };
+  const auto lift = [&](size_t b) { return -late(b) * model.mass(int(b)) * model.scene.gravity.dot(velocity(model.blocks[b])); };
+  double lost = dissipated, lifted = 0;
+  for (size_t b = 0; b < before.size(); ++b) {
+    if (model.sleeps(int(b)) || model.shapes[b].dofs == 0) continue;
+    const Vec2 change = velocity(model.blocks[b]) - velocity(before[b]);
+    lost += model.mass(int(b)) * (scheme.bond_ahead / scheme.dt * change.squaredNorm() - late(b) * model.scene.gravity.dot(change));
+    (lift(b) > 0 ? lifted : lost) += std::abs(lift(b));
+  }
+  lost = std::max(lost, 0.0);
+  const double part = lifted > lost ? lost / lifted : 1;
+  for (size_t b = 0; b < before.size(); ++b) model.blocks[b].weighed_ahead += late(b) * (lift(b) > 0 ? part : 1);
+}
+
 }  // namespace talus

@@ -61,6 +61,10 @@ struct BookedStep {  // what an accepted step was solved with; the model is stil
 // Forces that do not come from contacts, and the loss of bulk, bonds and supports.
 void book_motion(const BookedStep& step, Ledger& ledger);
 
+// Where blocks are weighed from now on: at y of the step that has moved them, as far as what it lost pays for. `dissipated`: J/m, of that by
+// friction and at viscous boundaries.
+void weigh(Model& model, const std::vector<BlockState>& before, const Scheme& scheme, double dissipated);
+
 // Contacts of what is awake before and after a step; `ahead0`: ahead of the step before.
 class ContactBooking {
  public:

@@ -409,14 +409,16 @@ void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const 
     for (size_t b = 0; b < moved.size(); ++b)
       if (!model_.sleeps(int(b)) && islands_.rest(int(b)) != Rest::moves) model_.blocks[b].velocity.fill(0);
   if (motion && bridge_motion_.any()) ledger_.numerical_flow += bridge_motion_.shift_loss(model_, scheme, d);
+  const double dissipated = ledger_.friction_work + ledger_.viscous_work;
   if (motion) book_motion({model_, poses_, system_, supports_, scheme, d, moved}, ledger_);
-  model_.blocks = std::move(moved);
+  model_.blocks.swap(moved);
   for (int b = 0; b < int(model_.shapes.size()); ++b)
     if (!model_.sleeps(b)) model_.place_vertices(b);
   if (plan_.contacts) {
     islands_.store(model_, contacts_, d, motion);
     if (motion) booking->book(model_, contacts_.rows(), scheme, d, ledger_);
   }
+  if (motion && plan_.gravity) weigh(model_, moved, scheme, ledger_.friction_work + ledger_.viscous_work - dissipated);
   ledger_.ahead = scheme.bond_ahead;
   if (plan_.bonds && (!motion || !fracture_)) joints_.store_tractions(model_);  // else they are, to be judged
   if (fracture_ && !motion) bridges_.store_tractions(model_);
@@ -444,6 +446,7 @@ void Stepper::change_step(double ahead) {
 void Stepper::begin_ledger() {
   ledger_ = {};
   if (plan_.dynamic) ledger_.ahead = scheme(step_size_.next(model_.time)).bond_ahead;
+  for (BlockState& state : model_.blocks) state.weighed_ahead = 0;
   const Energies now = energies();
   ledger_.start_energy = now.total;
   ledger_.start_shift = -now.numerical;
@@ -457,7 +460,7 @@ double Stepper::elastic_energy(double ahead) const {
 
 Energies Stepper::energies() {
   prepare_bonds();
-  const double ahead = ledger_.ahead, gravity_ahead = gravity_energy_ahead(model_, ahead);
+  const double ahead = ledger_.ahead, gravity_ahead = gravity_energy_ahead(model_);
   Energies e;
   e.kinetic = plan_.dynamic ? kinetic_energy(model_, ahead) : 0;
   e.strain = elastic_energy(ahead);

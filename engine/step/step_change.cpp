@@ -67,6 +67,12 @@ void move(const BlockShape& shape, double seconds, const Vec2& velocity, double 
   state.angle += seconds * spin;
 }
 
+// As a whole: y stays, also the y at which it is weighed.
+void move_whole(const BlockShape& shape, double seconds, BlockState& state) {
+  move(shape, seconds, Vec2(state.velocity[0], state.velocity[1]), state.velocity[2] / shape.length, state);
+  state.weighed_ahead -= seconds;
+}
+
 // Of a block's length. What is pressed and moves no farther than that as the step changes, as all do that it presses on, is as good as at rest:
 // what its contacts hold counts more than where it flies.
 constexpr double as_at_rest = 1e-6;
@@ -106,6 +112,10 @@ void move_apart(const Model& model, double seconds, const std::vector<int>& body
     const Body& body = before[size_t(body_of[b])];
     if (shape.dofs == 0 || model.sleeps(int(b))) continue;
     BlockState& state = blocks[b];
+    if (body.held) {
+      move_whole(shape, seconds, state);
+      continue;
+    }
     const Vec2 velocity(state.velocity[0], state.velocity[1]);
     move(shape, seconds, velocity - body.velocity - body.spin * perp(Vec2(state.centroid - body.centroid)),
          state.velocity[2] / shape.length - body.spin, state);
@@ -142,7 +152,7 @@ std::vector<BlockState> keep_stored(const Model& model, double seconds) {
     deform(shape, seconds, state);
     if (!model.joints.empty()) continue;
     if (lying[b])
-      move(shape, seconds, Vec2(state.velocity[0], state.velocity[1]), state.velocity[2] / shape.length, state);
+      move_whole(shape, seconds, state);
     else if (state.velocity[2] != 0)
       state.velocity[2] *= own_inertia(model, int(b), model.blocks[b]) / own_inertia(model, int(b), state);
   }

@@ -14,10 +14,12 @@ namespace {
 // Of blocks, places and speeds; contacts are added by the caller. Scenes of the study have no bonds and no
 // supports.
 double energy_of(const Model& model, double ahead) {
-  double sum =
-      kinetic_energy(model, ahead) + strain_energy(model, {}, {}, ahead) + gravity_energy_ahead(model, ahead);
-  for (size_t b = 0; b < model.blocks.size(); ++b)
-    if (model.shapes[b].dofs > 0) sum -= model.mass(int(b)) * model.scene.gravity.dot(model.blocks[b].shift);
+  double sum = kinetic_energy(model, ahead) + strain_energy(model, {}, {}, ahead);
+  for (size_t b = 0; b < model.blocks.size(); ++b) {
+    const BlockState& state = model.blocks[b];
+    if (model.shapes[b].dofs > 0)
+      sum -= model.mass(int(b)) * model.scene.gravity.dot(state.shift + ahead * Vec2(state.velocity[0], state.velocity[1]));
+  }
   return sum;
 }
 

@@ -2,7 +2,6 @@
 -- energy never rises by more than 1e-6 of the start.
 -- Flat, and on its corner; Δt from 10 ms (3 m of way, thirty walls) to 1 µs. Source: conservation. (1 s CPU)
 local talus = require "talus"
-local tools = require "tools"
 local full = talus.param("full", false, "also dt 1e-6 s")
 local young = 55e9
 local rock = talus.material { name = "rock", density = 2600, young = young, poisson = 0.2 }
@@ -18,14 +17,14 @@ for name, ball in pairs { flat = flat, corner = corner } do
       time = { mode = "dynamic", t_end = 3e-3, dt = dt },
     }
     local wall, flyer = hit.blocks[1], hit.blocks[2]
-    local start, energy0 = flyer.mass*300, tools.energy(hit, young, 0).total
+    local start, energy0 = flyer.mass*300, hit.energy.total
     local before, worst, most = start, 0, 0
     for status in hit:steps() do
       local p = wall.mass*wall.velocity[1] + flyer.mass*flyer.velocity[1]
       local allowed = 1e-12 + 10*2.2e-16*(100*young/2)*status.dt^2/flyer.mass
       worst = math.max(worst, math.abs(p - before)/start/allowed)
       before = p
-      most = math.max(most, tools.energy(hit, young, 0).total/energy0)
+      most = math.max(most, hit.energy.total/energy0)
     end
     local label = string.format("impact, %s, dt %g s: ", name, dt)
     talus.check.below(label .. "change of momentum in a step over what is allowed", worst, 1)

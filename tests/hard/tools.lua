@@ -13,39 +13,17 @@ function tools.random(seed)
   end
 end
 
--- Kinetic, strain, contact and gravity energy (J per metre). Contacts by their forces: N²/2kn + T²/2ks, with the default
--- stiffness, α E/h per length (α = 100, h the smaller √area), ks = 0.4 kn, one modulus `young` in the whole scene.
-function tools.energy(sim, young, gravity)
-  local mass, centroid = sim.blocks:field "mass", sim.blocks:field "centroid"
-  local area, fixed = sim.blocks:field "area", sim.blocks:field "fixed"
-  local velocity = sim.blocks:field "velocity"
-  local potential, rise = 0, 0
-  for i = 1, #mass do
-    if fixed[i] == 0 then
-      potential = potential + mass[i]*gravity*centroid[i][2]
-      rise = rise + mass[i]*gravity*velocity[i][2]
-    end
+-- local gain = tools.gains(sim): gain(), after every step, is the most that a step has added to the total energy, of what moved and was stored before it.
+function tools.gains(sim)
+  local function now(energy) return energy.total, energy.kinetic + energy.strain + energy.contact end
+  local total, moving = now(sim.energy)
+  local most = 0
+  return function()
+    local before, of = total, moving
+    total, moving = now(sim.energy)
+    if total > before then most = math.max(most, (total - before)/of) end
+    return most
   end
-  local normal, shear, length = sim.contacts:field "normal_force", sim.contacts:field "shear_force", sim.contacts:field "length"
-  local bi, bj = sim.contacts:field "block_i", sim.contacts:field "block_j"
-  local contact = 0
-  for k = 1, #normal do
-    if normal[k] > 0 then
-      local h = math.sqrt(math.min(area[bi[k]], area[bj[k]]))
-      local kn = 100*young*(length[k] > 0 and math.max(length[k]/h, 0.05) or 0.5)
-      contact = contact + (normal[k]^2 + shear[k]^2/0.4)/(2*kn)
-    end
-  end
-  local e = sim.energy
-  return { kinetic = e.kinetic, strain = e.strain, contact = contact, gravity = potential, rise = rise,
-           total = e.kinetic + e.strain + contact + potential, moving = e.kinetic + e.strain + contact }
-end
-
--- What a step of `dt` added. The scheme keeps the energy of y = X + Δt v/4 from rising (theory, § 2), not that of X: a block that
--- bounces stands Δt/4 · m g · (change of speed) higher in X than in y. A gain is one that shows in both.
-function tools.gain(before, now, dt)
-  local gain = now.total - before.total
-  return math.min(gain, gain + 0.25*dt*(now.rise - before.rise))
 end
 
 -- Steps a simulation to its end and keeps what the checks ask for. each(sim, status) is called after every step.
