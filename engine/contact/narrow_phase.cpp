@@ -157,8 +157,8 @@ class Pair {
 
   // Whether a corner at the place `s` along edge `e` of `be` is on it. At an inner corner the edge goes on under the
   // wall, where a corner that presses on both is.
-  bool within(int be, int e, double s, double length) const {
-    const double slack = corner_part * length;
+  bool within(int be, int e, double s, double length) const { return within(be, e, s, length, corner_part * length); }
+  bool within(int be, int e, double s, double length, double slack) const {
     if (s < -slack) return s > deepest() && inner(be, e);
     if (s > length + slack) return s < length - deepest() && inner(be, next(be, e));
     return true;
@@ -223,6 +223,7 @@ class Pair {
 struct Candidate {
   int edge;
   double gap;
+  bool on;  // or next to its end: it counts only beside others
 };
 
 enum class End { first, last };
@@ -248,7 +249,7 @@ void drop_deeper(const Pair& pair, int block, std::vector<Candidate>& candidates
       if (!convex(pair, block, follows ? other.edge : c.edge)) return false;
       return other.gap > c.gap || (other.gap == c.gap && other.edge < c.edge);
     });
-    if (!deeper) kept.push_back(c);
+    if (!deeper && c.on) kept.push_back(c);
   }
   candidates = std::move(kept);
 }
@@ -271,10 +272,11 @@ void vertices_on_edges(const Pair& pair, const Model& model, int bv, int be, std
         if (!way) way = pair.way(bv, v, be);
         s = place_met(edge, gap, s, *way);
       }
-      if (!pair.within(be, e, s, edge.length)) continue;
+      const bool on = pair.within(be, e, s, edge.length);
+      if (!on && (gap > 0 || !pair.within(be, e, s, edge.length, pair.meeting()))) continue;
       if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) continue;
       if (gap > -pair.flush() && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
-      if (pair.can_rest(bv, v, edge.normal) || (gap > 0 && pair.will_rest(bv, v, edge.normal))) candidates.push_back({e, gap});
+      if (pair.can_rest(bv, v, edge.normal) || (gap > 0 && pair.will_rest(bv, v, edge.normal))) candidates.push_back({e, gap, on});
     }
     drop_deeper(pair, be, candidates);
     for (const Candidate& c : candidates) found.push_back(pair.contact(bv, v, be, c.edge, c.gap, false));
@@ -330,10 +332,12 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
     const Vec2 p = pair.vertex(bv, vertex), way = pair.way(bv, vertex, be);
     const double gap = edge.gap(p), ahead = gap + edge.normal.dot(way), s = edge.position(p);
     if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) return;
+    if (gap > -pair.flush() && pair.passes_flush(bv, vertex, be, e, s, edge.length)) return;
     // Where it comes to the line there is no edge: nothing is met there, and nothing kept apart. Beyond the other end that is for
     // the corner there to say.
     const double met = place_met(edge, gap, s, way), past = end == End::first ? -met : met - edge.length;
-    if (ahead < 0 && past > pair.beside()) return;
+    const bool comes_on = past > 0 && past + edge.along.dot(way) * (end == End::first ? -1 : 1) < 0 && pair.slides_on(bv, vertex, be, e);
+    if (ahead < 0 && past > pair.beside() && !comes_on) return;
     if (ahead < 0 && past < -edge.length && !pair.within(be, e, met, edge.length)) return;
     const double apart = std::max(0.0, gap - pair.meeting()), under = std::max(0.0, -gap - pair.meeting());
     const double from = under > 0 ? under / (under + std::max(0.0, ahead)) : 0, until = ahead < 0 ? apart / (apart - ahead) : 2;
