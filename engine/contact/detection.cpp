@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "contact/narrow_phase.h"
+#include "equations/contact_terms.h"
 #include "model/groups.h"
 
 namespace talus {
@@ -67,9 +68,9 @@ const Contact* predecessor(const Model& model, const Contact& c, const std::vect
 
 // m, how deep a contact is at the places y = X + (θ-½)Δt v that the scheme looks at (theory, § 2).
 double depth_ahead(const Model& model, const Contact& c, double dt) {
-  const double shift = judged_ahead(model.scene.numerics, dt);
-  const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c), foot = at - c.gap * normal;
-  return -(c.gap + c.offset) - shift * normal.dot(model.corner_velocity(c.i, c.vertex) - model.velocity_on_edge(c.j, c.edge, foot));
+  const double shift = judged_ahead(model.scene.numerics, dt), gap = gap_now(model, c);
+  const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c), foot = at - gap * normal;
+  return -(gap + c.offset) - shift * normal.dot(model.corner_velocity(c.i, c.vertex) - model.velocity_on_edge(c.j, c.edge, foot));
 }
 
 // Met already overlapping, or touching and so fast that y overlaps: not a load (docs/theory.md). What is still apart may
@@ -99,6 +100,21 @@ void forgive_depth(Model& model, double dt) {
     if (c.gap + c.offset >= 0) continue;
     const double now = std::min(-(c.gap + c.offset), depth_ahead(model, c, dt));
     c.offset += std::max(0.0, now - c.normal_force / c.normal_stiffness);
+  }
+}
+
+// What rests lies as its force says: that has all its digits. In small and stiff blocks it is pressed in by less than places are rounded to: the
+// gap, off by the rounding of the places now and of those that the force is of, would be a load that nothing bears.
+void lie_as_pressed(Model& model, double dt) {
+  const auto rests = [&](int block, double rounding) {
+    const auto& v = model.blocks[block].velocity;
+    return std::all_of(v.begin(), v.begin() + model.shapes[block].rate_count(), [&](double rate) { return std::abs(rate) * dt <= rounding; });
+  };
+  for (Contact& c : awake_contacts(model)) {
+    if (c.lies && dt > 0 && stands_still(model, c.i) && stands_still(model, c.j)) continue;
+    const double rounding = rounding_of_gap(model, c), off = depth_ahead(model, c, dt) - c.normal_force / c.normal_stiffness;
+    c.lies = c.normal_force > 0 && std::abs(off) <= 4 * rounding && rests(c.i, rounding) && rests(c.j, rounding);
+    if (c.lies) c.offset += off;
   }
 }
 
@@ -337,7 +353,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
     last_dt_ = model.time - time_;
     time_ = model.time;
   }
-  if (unmoved(model, dt) && intact == intact_joints_ && seen.empty()) return;
+  if (unmoved(model, dt) && intact == intact_joints_ && seen.empty()) return lie_as_pressed(model, dt);
   std::vector<Contact> now;
   std::vector<MeetingCorners> meeting;
   {
@@ -354,6 +370,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());
   if (dt > 0 && dt < shorter * last_dt_) forgive_depth(model, dt);
+  lie_as_pressed(model, dt);
 }
 
 }  // namespace talus

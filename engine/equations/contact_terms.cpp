@@ -13,6 +13,7 @@ namespace {
 
 constexpr double near_part = 1e-3;
 
+
 // Change along `direction` of the place of the vertex `local` of a block under unit unknowns, beyond the turning of the block.
 template <int n>
 ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int local, const Vec2& direction) {
@@ -22,6 +23,10 @@ ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int lo
 }
 
 }  // namespace
+
+double rounding_of_gap(const Model& model, const Contact& contact) {
+  return 8 * std::numeric_limits<double>::epsilon() * std::max(model.extent, model.vertex[contact.global_vertex].norm());
+}
 
 // The foot of a vertex on a first-order block's edge is a material point; an edge of second order stays straight between its
 // corners, and takes its foot along as they go.
@@ -79,6 +84,8 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
       sliding = dot(row.shear_i, vi, n) + dot(row.shear_j, vj, n);
     });
     row.gap0 = gap + contact.offset + scheme.contact_v * approach;
+    if (contact.lies) row.gap0 = scheme.dt * approach - contact.normal_force / contact.normal_stiffness;
+    row.rounding = contact.lies ? 0 : rounding_of_gap(model, contact);
     row.slide0 = contact.stretch + scheme.step_v * sliding;
     row.kn = contact.normal_stiffness;
     row.ks = contact.shear_stiffness;

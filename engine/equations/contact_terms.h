@@ -9,10 +9,14 @@
 
 namespace talus {
 
+// m, that a gap may be off as the difference of two places: these are as large as the scene, or as far from its middle as they are.
+double rounding_of_gap(const Model& model, const Contact& contact);
+
 struct ContactScalars {
   int i, j;  // blocks
   int dof_i, dof_j, size_i, size_j;
   double gap0, slide0;  // gap and stretch at d = 0, velocities carried to where contacts are judged
+  double rounding;      // m, of gap0; none where that is no difference of places, see Contact::lies
   double kn, ks;        // N/m
   double friction, cohesion;  // tan φ; N
   int contact;          // index into Model::contacts

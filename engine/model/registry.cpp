@@ -216,7 +216,7 @@ void visit_state(Strength& strength, StateVisitor& v) {
 }
 
 void visit_state(Contact& contact, StateVisitor& v) {
-  auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset,
+  auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset, lies,
          stretch, slip, normal_force, shear_force, may_part, parts, load_shear, load_slip, global_vertex, global_edge] = contact;
   v("i", i);
   v("vertex", vertex);
@@ -231,6 +231,7 @@ void visit_state(Contact& contact, StateVisitor& v) {
   v("shear_stiffness", shear_stiffness);
   v("gap", gap);
   v("offset", offset);
+  v("lies", lies);
   v("stretch", stretch);
   v("slip", slip);
   v("normal_force", normal_force);

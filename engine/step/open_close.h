@@ -98,7 +98,8 @@ class OpenClose {
   double contact_slope(const ContactRows& row, size_t k, double step, double gap_rate, double slide_rate,
                        double factor) const;
   double normal_force(const ContactRows& row, size_t k) const { return row.kn * std::max(0.0, -gap_[k]); }
-  void judge_residual(const ContactProblem& problem, double place_rounding, OpenCloseResult& result);
+  // as_it_lies: the rounding of gaps times their stiffness is no force.
+  void judge_residual(const ContactProblem& problem, bool as_it_lies, OpenCloseResult& result);
   double line_search(const ContactProblem& problem, const Vector& p, double slope0, double curvature) const;
 
   std::vector<double> gap_, slide_, limit_;  // per contact, at the present d; limit_: frozen friction limit, N

@@ -13,11 +13,6 @@ namespace {
 // such sum in the problem: round-off of the large forces reaches every block through the factor.
 constexpr double force_floor = 1e-4;
 
-// m, of what gaps are differences of: the height of the scene, or the distance from its middle where that is more.
-double size_of_places(const Model& model, const Contact& contact) {
-  return std::max(model.extent, model.vertex[contact.global_vertex].norm());
-}
-
 }  // namespace
 
 void OpenClose::evaluate(const ContactProblem& problem, const Vector& d) {
@@ -60,17 +55,15 @@ void OpenClose::start(const ContactProblem& problem) {
   }
 }
 
-void OpenClose::judge_residual(const ContactProblem& problem,
-                               double place_rounding, OpenCloseResult& result) {
+void OpenClose::judge_residual(const ContactProblem& problem, bool as_it_lies, OpenCloseResult& result) {
   residual(problem, true, r_);
   std::vector<double> scale = problem.system.force_scale, rounding = problem.system.force_rounding;
   const auto& rows = problem.contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
     const double normal = normal_force(rows[k], k);
-    const double rounded = place_rounding * size_of_places(*problem.model, problem.before(k));
     for (const int block : {rows[k].i, rows[k].j}) {
       scale[block] += normal;
-      rounding[block] += rows[k].kn * rounded;
+      if (as_it_lies) rounding[block] += rows[k].kn * rows[k].rounding;
     }
   }
   const double floor = force_floor * *std::max_element(scale.begin(), scale.end());
@@ -90,9 +83,7 @@ OpenCloseResult OpenClose::judge(const ContactProblem& problem) {
   OpenCloseResult result;
   start(problem);
   evaluate(problem, Vector::Zero(problem.system.force.size()));
-  // Gaps are differences of places: their rounding times the stiffness is no force.
-  const double place_rounding = 8 * std::numeric_limits<double>::epsilon();
-  judge_residual(problem, place_rounding, result);
+  judge_residual(problem, true, result);
   return result;
 }
 
@@ -102,7 +93,7 @@ OpenCloseResult OpenClose::judge(const ContactProblem& problem,
   start(problem);
   problem.system.matrix.multiply(d, kd_);
   evaluate(problem, d);
-  judge_residual(problem, 0, result);
+  judge_residual(problem, false, result);
   result.missed = missed_;
   return result;
 }

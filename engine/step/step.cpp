@@ -333,7 +333,9 @@ IslandResult Stepper::solve(double dt, Vector& d) {
   const Numerics& numerics = model_.scene.numerics;
   const bool motion = dt > 0;
   if (!motion && on_equilibrium_solve) on_equilibrium_solve();
-  const OpenCloseSettings settings{numerics.contact_tolerance, numerics.max_iterations, motion, numerics.solver,
+  // Equilibrium is judged once more afterwards, by scales of its own.
+  const double tolerance = motion ? numerics.contact_tolerance : std::min(numerics.contact_tolerance, 0.1 * numerics.static_tolerance);
+  const OpenCloseSettings settings{tolerance, numerics.max_iterations, motion, numerics.solver,
                                    fracture_ && dt > fracture_->least_transit() ? most_solve_effort
                                                                                 : std::numeric_limits<double>::infinity()};
   const IslandResult result = islands_.solve(model_, system_, contacts_, settings, dt, d);
