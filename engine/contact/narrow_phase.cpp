@@ -105,6 +105,7 @@ class Pair {
   double least() const { return least_; }
   double meeting() const { return meeting_part * least_; }
   double flush() const { return flush_part * least_; }
+  double noise(int v) const { return 32 * std::numeric_limits<double>::epsilon() * std::max(model_.extent, vertex(i_, v).norm()); }
   double beside() const { return beside_part * least_; }
   bool fast() const { return fast_; }
   // Change of the place of corner `v` of `bv` on the block `be` until contacts are judged, at the present velocities, m.
@@ -293,11 +294,16 @@ struct Choice {
 
 // Of lines that separate two corners, the one that is penetrated last: what keeps them apart from now on the longest, or one that does
 // before that ends, and to the end.
-Choice penetrated_last(std::vector<Choice>& choices, double rounding) {
+// `noise`: m, of places. What differs by that alone, as a corner on a face and the other corner on a face that is parallel to it, goes by the order
+// of the choices, and so in a mirrored scene as in the scene.
+Choice penetrated_last(std::vector<Choice>& choices, double rounding, double noise) {
   const auto farther = [&](const Choice& a, const Choice& b) {
-    return std::abs(a.ahead - b.ahead) > rounding ? a.ahead < b.ahead : a.beyond > b.beyond;
+    if (std::abs(a.ahead - b.ahead) > rounding) return a.ahead < b.ahead;
+    return a.beyond > b.beyond + noise;
   };
-  const auto sooner = [&](const Choice& a, const Choice& b) { return a.until != b.until ? a.until < b.until : farther(a, b); };
+  const auto sooner = [&](const Choice& a, const Choice& b) {
+    return std::abs(a.until - b.until) > corner_part ? a.until < b.until : farther(a, b);
+  };
   const auto begin = choices.begin(), end = choices.end();
   const auto later = std::partition(begin, end, [](const Choice& c) { return c.from == 0; });
   const auto now = std::max_element(begin, later, sooner), then = std::max_element(later, end, farther);
@@ -357,7 +363,7 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
     for (const Choice& c : choices)
       if (std::abs(cross(along, pair.edge(c.block_e, c.edge).along)) > parallel_sine) return;
   }
-  const Choice best = penetrated_last(choices, corner_part * pair.least());
+  const Choice best = penetrated_last(choices, corner_part * pair.least(), pair.noise(v));
   if (best.gap > pair.reach() || best.gap < pair.deepest()) return;
   found.push_back(pair.contact(best.block_v, best.vertex, best.block_e, best.edge, best.gap, true));
 }

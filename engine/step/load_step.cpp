@@ -42,6 +42,7 @@ StepReport Stepper::load_step(double to, bool first) {
     model_.time = to;
     const LoadStepBooking booking(model_, supports_, from, first);
     Equilibrium search;
+    search.in_place = !plan_.moving_supports;
     if (!balance(search)) give_up(search);
     booking.book(model_, supports_, ledger_);
     return search.report;

@@ -79,6 +79,8 @@ class Stepper {
     int most_solves = std::numeric_limits<int>::max();
     bool may_jump = true;    // through states that are not stable
     bool jumped = false;
+    bool in_place = false;   // ends where a body topples or falls
+    int left = -1;           // a block of that body
     bool whole_way = false;  // friction by all that slides in the load step, not by what each solve of the search slides
   };
   bool find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search);
