@@ -102,6 +102,7 @@ std::string Stepper::settle() {
   // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
   // starts from there, or the first steps would shake it.
   if (plan_.contacts && !settles(false, release_hold, release_iterations, released)) start_sliding();
+  end_sliding(model_);
   for (Contact& contact : model_.contacts) contact.slip = 0;
   keep_viscous_tractions(model_);
   return {};

@@ -148,7 +148,7 @@ StepReport Stepper::dynamic_step(double most) {
       if (!result.converged) break;
       moved = moved_blocks(model_, scheme, d);
       keep_rest(moved);
-      report.displacement = largest_displacement(model_, moved);
+      report.displacement = std::max(largest_displacement(model_, moved), step_size_.as_far_as(plan_.contacts ? largest_turn_of_pressed(model_, moved) : 0));
 
       // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
       if (step_size_.too_far(report.displacement)) break;

@@ -1,5 +1,8 @@
 #include "step/update.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "equations/block_terms.h"
 
 namespace talus {
@@ -59,6 +62,14 @@ double largest_displacement(const Model& model, const std::vector<BlockState>& m
   double largest = 0;
   for (size_t b = 0; b < moved.size(); ++b)
     if (!model.sleeps(int(b))) largest = std::max(largest, displacement(model, int(b), moved[b]));
+  return largest;
+}
+
+double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>& moved) {
+  double largest = 0;
+  for (size_t k = size_t(model.sleeping_contacts); k < model.contacts.size(); ++k)
+    if (model.contacts[k].normal_force > 0)
+      for (const int b : {model.contacts[k].i, model.contacts[k].j}) largest = std::max(largest, std::abs(moved[size_t(b)].angle - model.blocks[size_t(b)].angle));
   return largest;
 }
 
