@@ -274,7 +274,7 @@ void vertices_on_edges(const Pair& pair, const Model& model, int bv, int be, std
         s = place_met(edge, gap, s, *way);
       }
       const bool on = pair.within(be, e, s, edge.length);
-      if (!on && (gap > 0 || !pair.within(be, e, s, edge.length, pair.meeting()))) continue;
+      if (!on && (std::abs(gap) > pair.flush() || !pair.within(be, e, s, edge.length, pair.meeting()))) continue;
       if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) continue;
       if (gap > -pair.flush() && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
       if (pair.can_rest(bv, v, edge.normal) || (gap > 0 && pair.will_rest(bv, v, edge.normal))) candidates.push_back({e, gap, on});

@@ -119,6 +119,7 @@ StepReport Stepper::dynamic_step(double most) {
     IslandResult result;
     std::vector<BlockState> moved, seen;  // where the step leads; and where it led before it went past contacts
     bool past = false;
+    double far = 0;       // m, that bounds the step
     double released = 0;  // J/m, by bonds that fail in this step
     std::optional<BridgeBooking> bridge_booking;
     nearness_.clear();
@@ -148,10 +149,11 @@ StepReport Stepper::dynamic_step(double most) {
       if (!result.converged) break;
       moved = moved_blocks(model_, scheme, d);
       keep_rest(moved);
-      report.displacement = std::max(largest_displacement(model_, moved), step_size_.as_far_as(plan_.contacts ? largest_turn_of_pressed(model_, moved) : 0));
+      report.displacement = largest_displacement(model_, moved);
+      far = std::max(report.displacement, step_size_.as_far_as(plan_.contacts ? largest_turn_of_pressed(model_, moved) : 0));
 
       // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
-      if (step_size_.too_far(report.displacement)) break;
+      if (step_size_.too_far(far)) break;
       if (fracture_ && breaks(moved, dt, report)) continue;
       // 5. Contacts that it went past: once again with those on its way.
       past = plan_.contacts && step_size_.may_halve(dt) && overlooks(dt, report.displacement, d, moved);
@@ -160,8 +162,8 @@ StepReport Stepper::dynamic_step(double most) {
     }
 
     // 6. Not settled, or moved too far: everything as it was; again with a smaller step.
-    if (!result.converged || step_size_.too_far(report.displacement)) {
-      step_size_.cut(dt, result.converged ? report.displacement : 0);
+    if (!result.converged || step_size_.too_far(far)) {
+      step_size_.cut(dt, result.converged ? far : 0);
       if (step_size_.next(model_.time) < step_size_.least()) give_up(result, dt);
       ++totals_.cuts;
       continue;
@@ -193,7 +195,7 @@ StepReport Stepper::dynamic_step(double most) {
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
     if (gas_) gas_->end_step(dt);
-    if (dt < most) step_size_.accepted(dt, report.displacement, effort_, split_anew_);
+    if (dt < most) step_size_.accepted(dt, far, effort_, split_anew_);
     report.dt = dt;
     return report;
   }
@@ -502,7 +504,7 @@ void Stepper::give_up(const OpenCloseResult& result, double dt) const {
   }
   if (result.converged) {
     std::snprintf(text, sizeof text,
-                  "t = %.9g s: in a step of %.3g s a block would move farther than time.displacement_ratio, or where time.dt is given the thinnest "
+                  "t = %.9g s: in a step of %.3g s a block would move farther than time.displacement_ratio, or turn by more than 0.1 rad, or where time.dt is given the thinnest "
                   "block, allows, and time.dt_min lets none be shorter: give a smaller one, or a larger ratio",
                   model_.time, dt);
     throw RunError(text);

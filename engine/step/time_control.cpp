@@ -65,7 +65,7 @@ double thinnest_thing(const Model& model) {
 StepSize::StepSize(const Model& model, bool contacts) : caution_(caution), worth_(most_effort), growth_(most_growth), since_split_(caution_where_split) {
   const TimeControl& time = model.scene.time;
   limit_ = time.displacement_ratio * model.extent;
-  automatic_ = time.dt == 0;
+  automatic_ = heeds_turns_ = time.dt == 0;
   thinnest_ = contacts && !automatic_ ? thinnest_thing(model) : std::numeric_limits<double>::infinity();
   every_ = model.scene.output.every;
   end_ = time.t_end;
@@ -79,7 +79,7 @@ void StepSize::among_cracks(double transit) {
   worth_ = most_effort_among_cracks;
   growth_ = growth_among_cracks;
   short_enough_ = transit;
-  heeds_splits_ = false;
+  heeds_splits_ = heeds_turns_ = false;  // a chip that spins is not worth it
 }
 
 void StepSize::broken(const Model& model) {

@@ -15,7 +15,7 @@ class StepSize {
 
   double next(double time) const;  // s, never past t_end
   // m, the displacement that bounds an automatic step as turning by `turn` (rad) does.
-  double as_far_as(double turn) const { return automatic_ ? turn / most_turn * limit_ : 0; }
+  double as_far_as(double turn) const { return heeds_turns_ ? turn / most_turn * limit_ : 0; }
   bool too_far(double displacement) const { return displacement > (automatic_ ? 2 * limit_ : thinnest_); }
   void cut(double dt, double displacement);  // after an attempt of `dt` that was thrown away
   // An attempt whose contacts were not those that it came to meet is taken again in half of it.
@@ -44,7 +44,7 @@ class StepSize {
   double worth_;      // factors, from which on a longer step does not pay
   double growth_;     // of a step that went well
   double short_enough_ = 0;  // s, not shortened for what it takes
-  bool heeds_splits_ = true;
+  bool heeds_splits_ = true, heeds_turns_;
   int cautious_ = 0;  // steps still to be grown slowly
   int since_split_;   // steps since one that accepted() was told of with split_anew
   double every_;  // s, between outputs, which an automatic step does not pass; 0: none
