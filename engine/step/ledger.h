@@ -44,6 +44,8 @@ struct Energies {
   double external = 0, gas = 0, boundary = 0;                // put in since the start
   double friction = 0, damping = 0, viscous = 0, fracture = 0, numerical = 0;  // lost since the start
   double unexplained = 0;                                    // total - start - put in + lost
+  double own() const { return total - external - gas - boundary; }  // that no step raises
+  double stored() const { return kinetic + strain + contact; }
   double scale = 0;  // the larger of kinetic and stored energy at the start and the largest work put in
 };
 void visit_state(Energies& energies, StateVisitor& visitor);

@@ -22,6 +22,7 @@ namespace talus {
 
 namespace {
 
+constexpr double most_gain = 1e-6;  // in a step, of what moves and is stored
 constexpr double most_solve_effort = 24;  // factors, among cracks: three times what keeps a step from growing
 
 // What an attempt at a step changes before it is known to succeed; put back unless keep() is called.
@@ -100,13 +101,16 @@ StepReport Stepper::dynamic_step(double most) {
   StepReport report;
   if (fracture_) fracture_->clear_events();
   if (gas_) gas_->detonate();
+  bool regretted = false;
   for (double dt = std::min(next_dt(), most);; dt = std::min(next_dt(), most), ++report.cuts) {
     effort_ = split_anew_ = released_ = 0;
     const Scheme scheme = this->scheme(dt);
     if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
     // Another step than the last: y stays, as far as bodies deform or lie on something.
+    std::optional<Energies> start;
     if (scheme.bond_ahead != ledger_.ahead) {
+      if (plan_.contacts && !fracture_ && !regretted) start = energies();
       attempt.keep_places();
       change_step(scheme.bond_ahead);
     }
@@ -179,6 +183,13 @@ StepReport Stepper::dynamic_step(double most) {
     std::optional<Restitution> restitution;
     if (plan_.restitution) restitution.emplace(model_, contacts_);
     accept(std::move(moved), scheme, d, contacts_at_start(attempt.vertex_before(), attempt.ahead_before(), dt));
+    // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
+    if (start && energies().own() - start->own() > most_gain * start->stored()) {
+      step_size_.regret(dt * attempt.ahead_before() / scheme.bond_ahead);
+      regretted = true;
+      ++totals_.cuts;
+      continue;
+    }
     count(result);
     attempt.keep();
     if (fracture_) {

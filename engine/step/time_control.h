@@ -21,6 +21,10 @@ class StepSize {
   // An attempt whose contacts were not those that it came to meet is taken again in half of it.
   bool may_halve(double dt) const { return dt / 2 >= least_; }
   void halve(double dt) { dt_ = dt / 2; }
+  void regret(double last) {  // a change from `last`: that length again, and then slowly on
+    dt_ = std::min(last, most_);
+    cautious_ = caution_;
+  }
   // effort: what the solution took, in factors. split_anew: part of what moves whose contacts only the splitting solved, where it did not before.
   void accepted(double dt, double displacement, double effort, double split_anew);
   double least() const { return least_; }
