@@ -110,7 +110,7 @@ StepReport Stepper::dynamic_step(double most) {
     // Another step than the last: y stays, as far as bodies deform or lie on something.
     std::optional<Energies> start;
     if (scheme.bond_ahead != ledger_.ahead) {
-      if (plan_.contacts && !fracture_ && !regretted) start = energies();
+      if (plan_.contacts && !fracture_ && !regretted && ledger_.ahead > 0) start = energies();
       attempt.keep_places();
       change_step(scheme.bond_ahead);
     }
