@@ -68,8 +68,10 @@ const Contact* predecessor(const Model& model, const Contact& c, const std::vect
 
 // m, how deep a contact is at the places y = X + (θ-½)Δt v that the scheme looks at (theory, § 2).
 double depth_ahead(const Model& model, const Contact& c, double dt) {
-  const double shift = judged_ahead(model.scene.numerics, dt), gap = gap_now(model, c);
-  const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c), foot = at - gap * normal;
+  const double shift = judged_ahead(model.scene.numerics, dt);
+  const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c);
+  const double gap = normal.dot(at - model.vertex[c.global_edge]);
+  const Vec2 foot = at - gap * normal;
   return -(gap + c.offset) - shift * normal.dot(model.corner_velocity(c.i, c.vertex) - model.velocity_on_edge(c.j, c.edge, foot));
 }
 
@@ -112,8 +114,11 @@ void lie_as_pressed(Model& model, double dt) {
   };
   for (Contact& c : awake_contacts(model)) {
     if (c.lies && dt > 0 && stands_still(model, c.i) && stands_still(model, c.j)) continue;
-    const double rounding = rounding_of_gap(model, c), off = depth_ahead(model, c, dt) - c.normal_force / c.normal_stiffness;
-    c.lies = c.normal_force > 0 && std::abs(off) <= 4 * rounding && rests(c.i, rounding) && rests(c.j, rounding);
+    const double rounding = rounding_of_gap(model, c);
+    c.lies = c.normal_force > 0 && rests(c.i, rounding) && rests(c.j, rounding);
+    if (!c.lies) continue;
+    const double off = depth_ahead(model, c, dt) - c.normal_force / c.normal_stiffness;
+    c.lies = std::abs(off) <= 4 * rounding;
     if (c.lies) c.offset += off;
   }
 }

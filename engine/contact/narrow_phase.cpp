@@ -105,7 +105,7 @@ class Pair {
   double least() const { return least_; }
   double meeting() const { return meeting_part * least_; }
   double flush() const { return flush_part * least_; }
-  double noise(int v) const { return 32 * std::numeric_limits<double>::epsilon() * std::max(model_.extent, vertex(i_, v).norm()); }
+  double noise(int v) const { return 32 * std::numeric_limits<double>::epsilon() * model_.size_of(vertex(i_, v)); }
   double beside() const { return beside_part * least_; }
   bool fast() const { return fast_; }
   // Change of the place of corner `v` of `bv` on the block `be` until contacts are judged, at the present velocities, m.
@@ -342,8 +342,8 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
     // Where it comes to the line there is no edge: nothing is met there, and nothing kept apart. Beyond the other end that is for
     // the corner there to say.
     const double met = place_met(edge, gap, s, way), past = end == End::first ? -met : met - edge.length;
-    const bool comes_on = past > 0 && past + edge.along.dot(way) * (end == End::first ? -1 : 1) < 0 && pair.slides_on(bv, vertex, be, e);
-    if (ahead < 0 && past > pair.beside() && !comes_on) return;
+    const auto comes_on = [&] { return past < edge.along.dot(way) * (end == End::first ? 1 : -1) && pair.slides_on(bv, vertex, be, e); };
+    if (ahead < 0 && past > pair.beside() && !comes_on()) return;
     if (ahead < 0 && past < -edge.length && !pair.within(be, e, met, edge.length)) return;
     const double apart = std::max(0.0, gap - pair.meeting()), under = std::max(0.0, -gap - pair.meeting());
     const double from = under > 0 ? under / (under + std::max(0.0, ahead)) : 0, until = ahead < 0 ? apart / (apart - ahead) : 2;

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double near_part = 1e-3;
 
-
 // Change along `direction` of the place of the vertex `local` of a block under unit unknowns, beyond the turning of the block.
 template <int n>
 ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int local, const Vec2& direction) {
@@ -25,7 +24,7 @@ ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int lo
 }  // namespace
 
 double rounding_of_gap(const Model& model, const Contact& contact) {
-  return 8 * std::numeric_limits<double>::epsilon() * std::max(model.extent, model.vertex[contact.global_vertex].norm());
+  return 8 * std::numeric_limits<double>::epsilon() * model.size_of(model.vertex[contact.global_vertex]);
 }
 
 // The foot of a vertex on a first-order block's edge is a material point; an edge of second order stays straight between its

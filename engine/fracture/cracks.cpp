@@ -72,6 +72,7 @@ std::vector<Fragment> fragments(const Model& model) {
     ++f.blocks;
     f.held = f.held || model.shapes[b].dofs == 0;
     f.shift += mass * model.blocks[b].shift;
+    f.angle += mass * model.blocks[b].angle;
     f.area += model.area(int(b));
     f.mass += mass;
     f.centroid += mass * model.blocks[b].centroid;
@@ -80,6 +81,7 @@ std::vector<Fragment> fragments(const Model& model) {
   for (Fragment& f : found) {
     f.centroid /= f.mass;
     f.shift /= f.mass;
+    f.angle /= f.mass;
     f.velocity /= f.mass;
   }
   for (const PointFixity& point : model.point_fixities) found[fragment[point.block]].held = true;

@@ -23,6 +23,7 @@ struct Fragment {
   int blocks = 0, first = 0;  // how many; the first of them
   bool held = false;          // a held block, or one at a support or a viscous edge, is among them
   double area = 0, mass = 0;  // m2, kg/m
+  double angle = 0;           // rad since the start, mean of its mass
   Vec2 centroid = Vec2::Zero(), shift = Vec2::Zero(), velocity = Vec2::Zero();  // m, m since the start, m/s, of its mass
   double size() const;        // m, diameter of the disc of its area
 };

@@ -268,6 +268,8 @@ class Model {
  public:
   Scene scene;  // materials, properties, loads' values are read from here, and may be changed between steps
   Vec2 origin = Vec2::Zero();
+  // m, of what the places round `at` are differences of: the size of the scene, or the distance from its middle where that is more.
+  double size_of(const Vec2& at) const { return std::max(extent, at.norm()); }
   double extent = 1;  // m, half the height of the scene's box (half the width where it is flat)
   double time = 0;
   // J/m: what blocks store beside Σ A ε·(σ₀ + ½ C ε), as strains have been added to their own (Fracture::add_strain).

@@ -87,7 +87,7 @@ Rest IslandSolver::judge_rest(const Step& step, int island) {
   Rest rest = Rest::rests;
   for (const int b : islands_.blocks(island)) {
     const BlockState& state = step.model.blocks[b];
-    const double size = std::max(step.model.extent, state.centroid.norm());  // m, of its places
+    const double size = step.model.size_of(state.centroid);
     for (const double rate : std::span(state.velocity).first(size_t(step.model.shapes[size_t(b)].rate_count()))) {
       if (std::abs(rate) * step.dt > rounding * size) return Rest::moves;
       if (rate != 0) rest = Rest::settles;

@@ -284,6 +284,9 @@ void weigh(Model& model, const std::vector<BlockState>& before, const Scheme& sc
   const auto velocity = [](const BlockState& state) { return Vec2(state.velocity[0], state.velocity[1]); };
   const auto late = [&](size_t b) { return model.sleeps(int(b)) || model.shapes[b].dofs == 0 ? 0 : scheme.bond_ahead - model.blocks[b].weighed_ahead; };
   const auto lift = [&](size_t b) { return -late(b) * model.mass(int(b)) * model.scene.gravity.dot(velocity(model.blocks[b])); };
+  size_t first = 0;
+  while (first < before.size() && late(first) == 0) ++first;
+  if (first == before.size()) return;  // the step is as long as the last
   double lost = dissipated, lifted = 0;
   for (size_t b = 0; b < before.size(); ++b) {
     if (model.sleeps(int(b)) || model.shapes[b].dofs == 0) continue;

@@ -8,13 +8,12 @@ namespace talus {
 // Whether a body has toppled or fallen while equilibrium was looked for: it lies then, but elsewhere than where it was asked whether it stands.
 class Settlement {
  public:
-  explicit Settlement(const Model& model);  // where the search begins
+  explicit Settlement(const Model& model) : before_(fragments(model)) {}  // where the search begins
   // The first block of a body that has turned or gone away since, unless something holds it; or -1.
   int left(const Model& model) const;
 
  private:
   std::vector<Fragment> before_;
-  std::vector<double> angle_;  // rad, mean of each
 };
 
 }  // namespace talus

@@ -154,7 +154,8 @@ StepReport Stepper::dynamic_step(double most) {
       moved = moved_blocks(model_, scheme, d);
       keep_rest(moved);
       report.displacement = largest_displacement(model_, moved);
-      far = std::max(report.displacement, step_size_.as_far_as(plan_.contacts ? largest_turn_of_pressed(model_, moved) : 0));
+      far = report.displacement;
+      if (step_size_.heeds_turns()) far = std::max(far, step_size_.as_far_as(largest_turn_of_pressed(model_, moved)));
 
       // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
       if (step_size_.too_far(far)) break;

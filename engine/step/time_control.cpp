@@ -65,7 +65,8 @@ double thinnest_thing(const Model& model) {
 StepSize::StepSize(const Model& model, bool contacts) : caution_(caution), worth_(most_effort), growth_(most_growth), since_split_(caution_where_split) {
   const TimeControl& time = model.scene.time;
   limit_ = time.displacement_ratio * model.extent;
-  automatic_ = heeds_turns_ = time.dt == 0;
+  automatic_ = time.dt == 0;
+  heeds_turns_ = automatic_ && contacts;
   thinnest_ = contacts && !automatic_ ? thinnest_thing(model) : std::numeric_limits<double>::infinity();
   every_ = model.scene.output.every;
   end_ = time.t_end;

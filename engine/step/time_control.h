@@ -15,7 +15,8 @@ class StepSize {
 
   double next(double time) const;  // s, never past t_end
   // m, the displacement that bounds an automatic step as turning by `turn` (rad) does.
-  double as_far_as(double turn) const { return heeds_turns_ ? turn / most_turn * limit_ : 0; }
+  double as_far_as(double turn) const { return turn / most_turn * limit_; }
+  bool heeds_turns() const { return heeds_turns_; }
   bool too_far(double displacement) const { return displacement > (automatic_ ? 2 * limit_ : thinnest_); }
   void cut(double dt, double displacement);  // after an attempt of `dt` that was thrown away
   // An attempt whose contacts were not those that it came to meet is taken again in half of it.

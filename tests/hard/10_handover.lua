@@ -44,7 +44,7 @@ for name, joints in pairs { ["one joint"] = { 1, 10 }, ["joints every 0.5 m"] = 
     end
     local label = string.format("hand-over, %s, %s: ", name, dt > 0 and dt .. " s" or "automatic")
     talus.check.below(label .. "largest jump of the deceleration, relative", worst, 0.01)
-    talus.check.near(label .. "speed after 1 s, m/s", before, 4 - mu*g, { rel = 1e-5 })
+    talus.check.near(label .. "speed after 1 s, m/s", before, 4 - mu*g, { rel = 1e-6 })
     talus.check.below(label .. "way up or down, m", math.abs(sledge.uy), 1e-6)
     talus.check.equal(label .. "cuts", cuts, 0)
   end
