@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "equations/coarse_factor.h"
+#include "equations/supernodal_solve.h"
 
 namespace talus {
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "equations/coarse_factor.h"
+#include "equations/supernodal_solve.h"
 
 namespace talus {
 
@@ -23,11 +23,9 @@ struct CholmodLibrary {
   decltype(&cholmod_start) start;
   decltype(&cholmod_finish) finish;
   decltype(&cholmod_free_factor) free_factor;
-  decltype(&cholmod_free_dense) free_dense;
   decltype(&cholmod_amd) amd;
   decltype(&cholmod_analyze_p) analyze_p;
   decltype(&cholmod_factorize) factorize;
-  decltype(&cholmod_solve2) solve2;
 
   CholmodLibrary() {
     // OpenBLAS takes processors that are newer than itself for ones of 2004, at a quarter of their speed: told what to use where
@@ -42,11 +40,9 @@ struct CholmodLibrary {
     find("cholmod_start", start);
     find("cholmod_finish", finish);
     find("cholmod_free_factor", free_factor);
-    find("cholmod_free_dense", free_dense);
     find("cholmod_amd", amd);
     find("cholmod_analyze_p", analyze_p);
     find("cholmod_factorize", factorize);
-    find("cholmod_solve2", solve2);
   }
 
  private:
@@ -83,9 +79,9 @@ class OneThread {
 struct LinearSolver::Cholmod {
   cholmod_common common;
   cholmod_factor* factor = nullptr;
-  cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;
   bool good = false;
-  CoarseFactor coarse;
+  SupernodalSolve<double> exact;
+  SupernodalSolve<float> coarse;
   enum class Coarse { untried, serves, fails } coarse_state = Coarse::untried;
 
   Cholmod() {
@@ -100,9 +96,6 @@ struct LinearSolver::Cholmod {
   }
   ~Cholmod() {
     cholmod().free_factor(&factor, &common);
-    cholmod().free_dense(&x, &common);
-    cholmod().free_dense(&y, &common);
-    cholmod().free_dense(&e, &common);
     cholmod().finish(&common);
   }
   Cholmod(const Cholmod&) = delete;
@@ -196,25 +189,18 @@ int LinearSolver::factor(const BlockMatrix& matrix) {
   if (cholmod_->common.status < 0) throw std::bad_alloc();
   cholmod_->good = cholmod_->common.status == CHOLMOD_OK;
   cholmod_->coarse_state = Cholmod::Coarse::untried;
-  if (cholmod_->good) return -1;
+  if (cholmod_->good) {
+    cholmod_->exact.take(cholmod_->supernodes());
+    return -1;
+  }
   const int column = static_cast<int*>(cholmod_->factor->Perm)[cholmod_->factor->minor];
   return matrix.block_of_unknown(column);
 }
 
 void LinearSolver::solve(const Vector& b, Vector& x) {
   if (b.size() == 0) return;
-  OneThread one;
   if (!cholmod_->good) throw std::logic_error("solve without a factor");
-  cholmod_dense rhs;
-  std::memset(&rhs, 0, sizeof rhs);
-  rhs.nrow = rhs.d = rhs.nzmax = size_t(b.size());
-  rhs.ncol = 1;
-  rhs.x = const_cast<double*>(b.data());
-  rhs.xtype = CHOLMOD_REAL;
-  rhs.dtype = CHOLMOD_DOUBLE;
-  cholmod().solve2(CHOLMOD_A, cholmod_->factor, &rhs, nullptr, &cholmod_->x, nullptr, &cholmod_->y, &cholmod_->e,
-                 &cholmod_->common);
-  x = Eigen::Map<const Vector>(static_cast<const double*>(cholmod_->x->x), b.size());
+  cholmod_->exact.solve(b, x);
 }
 
 void LinearSolver::solve_coarsely(const Vector& b, Vector& x) {
