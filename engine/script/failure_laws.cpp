@@ -10,6 +10,7 @@
 
 #include "fracture/reduction.h"
 #include "script/laws.h"
+#include "script/interrupt.h"
 #include "script/lua_error.h"
 
 namespace talus {
@@ -22,6 +23,7 @@ namespace {
 // `given()`: what the law was asked, in words; only for messages.
 template <class Given>
 void call(lua_State* L, int arguments, int results, const Place& place, const char* law, const Given& given) {
+  const RunningLaw running(L);
   try {
     protected_call(L, arguments, results);
   } catch (const ScriptError& error) {

@@ -15,10 +15,12 @@ namespace talus {
 namespace {
 
 constexpr int patience = 30;  // s, from the end of the time to that of the process
+constexpr double patience_with_laws = 2;  // s
 
 volatile std::sig_atomic_t signal_seen = 0;
 lua_State* volatile running = nullptr;
-bool held = false;
+bool held = false, law_left = false;
+double law_ends = 0;  // s, of the clock, for a law that goes on after a signal; 0: none did yet
 double grace = 0, grace_ends = 0;  // s; of the clock, 0: nothing came yet
 std::string time_reason, last_words;
 int time_status = 0;
@@ -33,7 +35,12 @@ std::string signal_text() {
 
 // Stays set, so that a script cannot swallow the interrupt with pcall.
 void interrupt_hook(lua_State* L, lua_Debug*) {
-  if (held) return;
+  if (held) {
+    if (law_ends == 0) law_ends = wall_seconds() + patience_with_laws;
+    if (wall_seconds() < law_ends) return;
+    law_left = true;
+    raise_error(L, ErrorKind::interrupt, signal_text() + ", in a function that the step waited for: that step is lost");
+  }
   if (grace > 0) {
     if (grace_ends == 0) grace_ends = wall_seconds() + grace;
     if (wall_seconds() < grace_ends) return;
@@ -80,6 +87,7 @@ Interrupts::Interrupts(lua_State* L, double seconds) {
   running = L;
   grace = seconds;
   grace_ends = 0;
+  law_left = false;
   set_handler(SIGINT, on_signal, SA_RESETHAND, before_int);
   set_handler(SIGTERM, on_signal, SA_RESETHAND, before_term);
 }
@@ -115,6 +123,10 @@ int interrupt_signal() {
   return signal_seen;
 }
 
+bool law_was_left() {
+  return law_left;
+}
+
 InterruptsHeld::InterruptsHeld(bool hold) : before_(held) {
   held = hold;
 }
@@ -131,6 +143,10 @@ RunningCoroutine::~RunningCoroutine() {
   if (!before_) return;
   running = before_;
   if (signal_seen) set_hook(before_);
+}
+
+RunningLaw::RunningLaw(lua_State* L) : in_(L) {
+  law_ends = 0;
 }
 
 void throw_if_interrupted() {

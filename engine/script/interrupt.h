@@ -49,6 +49,17 @@ class RunningCoroutine {
   lua_State* before_;
 };
 
+// A function of the script that is called from inside a step. After a signal it has two seconds; one that goes on is left, and the step
+// with it, of which nothing can be saved.
+class RunningLaw {
+ public:
+  explicit RunningLaw(lua_State* L);
+
+ private:
+  RunningCoroutine in_;
+};
+bool law_was_left();
+
 // Throws ScriptError(interrupt) when something of these came.
 void throw_if_interrupted();
 

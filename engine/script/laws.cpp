@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "script/interrupt.h"
 #include "script/lua_error.h"
 
 namespace talus {
@@ -94,6 +95,7 @@ template <class Pop>
 LawResult call(const LuaFunction& law, std::span<const char* const> names, std::span<const double> arguments, Pop pop) {
   lua_State* L = law.state();
   LawResult result;
+  const RunningLaw running(L);
   try {
     luaL_checkstack(L, static_cast<int>(arguments.size()) + 3, "a law");
     law.push();

@@ -37,6 +37,7 @@ double call_field(const std::weak_ptr<Run>& run, const std::string& name, const 
   const std::string label = alive->simulation.model.scene.output.place.text() + ": output.fields." + name +
                             ": for block " + std::to_string(block + 1);
   LawResult result;
+  const RunningLaw running(L);
   try {
     luaL_checkstack(L, 4, "a field");
     function.push();

@@ -197,7 +197,7 @@ std::optional<StepReport> Session::step(lua_State* L, const std::shared_ptr<Run>
     return report;
   } catch (const ScriptError& error) {
     // Left in the middle of a search for equilibrium: the state is again that from before the step.
-    if (checkpoints_ && error.kind == ErrorKind::interrupt) {
+    if (checkpoints_ && error.kind == ErrorKind::interrupt && !law_was_left()) {
       const InterruptsHeld hold;
       checkpoints_->between_steps(L, run, true);
     }
