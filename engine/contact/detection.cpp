@@ -48,6 +48,7 @@ void carry(const Contact& from, Contact& to) {
   to.shear_force = from.shear_force;
   to.may_part = from.may_part;
   to.parts = from.parts;
+  to.held_back = from.held_back;
   to.load_shear = from.load_shear;
   to.load_slip = from.load_slip;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 #include "gas/eos.h"
 #include "gas/orifice.h"
@@ -34,11 +35,12 @@ double fallen_to(double value, double low, double high, const Function& function
 }  // namespace
 
 void visit_state(Chamber& chamber, StateVisitor& v) {
-  auto& [walls, charges, state, volume, pressure, began, vented_at, front, gain, yield, joined, work, opening] = chamber;
+  auto& [walls, charges, state, volume, pressure, began, vented_at, fronts, gain, yield, joined, work, opening] = chamber;
   v.growing("walls", walls);
+  v.growing("fronts", fronts);
   v.growing("charges", charges);
   v("state", state);
-  for (double* number : {&volume, &pressure, &began, &vented_at, &front, &gain, &yield, &joined, &work, &opening})
+  for (double* number : {&volume, &pressure, &began, &vented_at, &gain, &yield, &joined, &work, &opening})
     v("chamber", *number);
 }
 
@@ -56,6 +58,7 @@ Gas::Gas(Model& model)
   for (size_t w = 0; w < model.hole_walls.size(); ++w) {
     Chamber chamber;
     chamber.walls = {int(w)};
+    chamber.fronts = {0};
     chambers_.push_back(chamber);
   }
   const auto& charges = model.scene.charges;
@@ -82,19 +85,28 @@ int Gas::chamber_of(int wall) const {
   return wall;
 }
 
-void Gas::detonate() {
+double Gas::front(int wall) const {
+  const Chamber& chamber = chambers_[chamber_of(wall)];
+  const auto at = std::find(chamber.walls.begin(), chamber.walls.end(), wall) - chamber.walls.begin();
+  return std::max(model_.hole_walls[wall].radius, chamber.fronts[size_t(at)]);
+}
+
+void Gas::detonate(double soon) {
   events_.clear();
   for (size_t wall = 0; wall < model_.hole_walls.size(); ++wall) {
     const int charge = model_.hole_walls[wall].charge;
-    if (first_volume_[charge] > 0 || model_.scene.charges[charge].delay > model_.time) continue;
-    const int c = chamber_of(int(wall));
-    Chamber& chamber = chambers_[c];
+    if (first_volume_[charge] > 0 || model_.scene.charges[charge].delay > model_.time + soon) continue;
     Reach hole;
     hole.nodes = paths_.wall_nodes(int(wall));
     first_volume_[charge] = gas_volume(model_, model_.blocks, 0, paths_, {int(wall)}, hole);
-    const bool vented = chamber.state == Chamber::State::vented;
-    if (vented && !model_.scene.charges[chamber.charges[0]].orifice && vent_part(chamber, model_.time) == 0)
-      continue;  // blown out already
+    if (const Chamber& there = chambers_[chamber_of(int(wall))]; there.state == Chamber::State::vented) {
+      if (!model_.scene.charges[there.charges[0]].orifice && vent_part(there, model_.time) == 0)
+        set_apart(int(wall));
+      else
+        settle_venting(chambers_[chamber_of(int(wall))]);
+    }
+    const int c = chamber_of(int(wall));
+    Chamber& chamber = chambers_[c];
     chamber.charges.push_back(charge);
     if (chamber.state == Chamber::State::waiting) {
       chamber.state = Chamber::State::pressing;
@@ -102,13 +114,51 @@ void Gas::detonate() {
       chamber.volume = first_volume_[charge];
       reach_[c] = hole;
     }
-    if (vented)  // its volume is not followed where its gas had ended
+    if (chamber.state == Chamber::State::vented)  // its volume is not followed where its gas had ended
       spread(c);
     else
       chamber.pressure = law_pressure(chamber, chamber.volume, model_.time);
-    events_.push_back({GasEventKind::detonation, c, -1, model_.time, chamber.volume, chamber.pressure});
+    events_.push_back({GasEventKind::detonation, int(wall), -1, model_.time, chamber.volume, chamber.pressure});
   }
   lay_faces();
+}
+
+// A hole whose gas, that of another charge, has blown out: what goes off in it now begins anew, and blows out where it meets the others.
+void Gas::set_apart(int wall) {
+  Chamber& blown_out = chambers_[chamber_of(wall)];
+  const auto at = std::find(blown_out.walls.begin(), blown_out.walls.end(), wall) - blown_out.walls.begin();
+  blown_out.walls.erase(blown_out.walls.begin() + at);
+  blown_out.fronts.erase(blown_out.fronts.begin() + at);
+  Chamber& own = chambers_[wall] = {};
+  own.walls = {wall};
+  own.fronts = {0};
+}
+
+double Gas::wave_speed(int wall) const {
+  double fastest = 0;
+  for (const BlockEdge& edge : model_.hole_walls[wall].edges)
+    if (model_.shapes[edge.block].dofs > rigid_dofs) {
+      const Material& rock = model_.material(edge.block);
+      fastest = std::max(fastest, std::sqrt(elasticity(rock)(0, 0) / rock.density));
+    }
+  return fastest;
+}
+
+// A hole rings with its circumference's wave: half of that time, of a disc of the chamber's size. Gas with less than a thousandth of its
+// first pressure left pushes nothing any more.
+double Gas::longest_step() const {
+  constexpr double spent = 1e-3;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Chamber& chamber : chambers_) {
+    if (!presses(chamber)) continue;
+    const int charge = chamber.charges[0];
+    const GasMoment start{0, first_volume_[charge], first_volume_[charge], chamber.pressure, 0};
+    if (chamber.pressure < spent * model_.scene.charges[charge].law.pressure(1, start)) continue;
+    double speed = 0;
+    for (const int wall : chamber.walls) speed = std::max(speed, wave_speed(wall));
+    if (speed > 0) least = std::min(least, std::sqrt(std::numbers::pi * chamber.volume) / speed);
+  }
+  return least;
 }
 
 bool Gas::presses(const Chamber& chamber) const {
@@ -122,7 +172,13 @@ void Gas::lay_faces() {
 }
 
 GasMoment Gas::moment(const Chamber& chamber, double since) const {
-  return {since, chamber.volume, first_volume_[chamber.charges[0]], chamber.pressure, chamber.front};
+  return {std::max(since, 0.0), chamber.volume, first_volume_[chamber.charges[0]], chamber.pressure, chamber.front()};
+}
+
+// An explosive's law is for its hole, which blocks that lie in it make smaller.
+double Gas::room(int charge) const {
+  const double part = model_.scene.charges[charge].mass > 0 ? 1 - model_.hole_walls[charge].taken : 1;
+  return first_volume_[charge] * left_[charge] / part;
 }
 
 // What is left of a charge's gas has the pressure of all of it in as much more room: its isentrope goes by volume per mass.
@@ -130,7 +186,7 @@ double Gas::law_pressure(const Chamber& chamber, double volume, double time) con
   if (chamber.charges.size() > 1) return mixture_pressure(chamber, volume, time);
   const int charge = chamber.charges[0];
   const Charge& own = model_.scene.charges[charge];
-  return own.law.pressure(volume / (first_volume_[charge] * left_[charge]), moment(chamber, time - own.delay));
+  return own.law.pressure(volume / room(charge), moment(chamber, time - own.delay));
 }
 
 // Gas of several charges has one pressure, at which their own volumes fill the chamber. Both are sought by logarithms, in which gases are near
@@ -142,7 +198,7 @@ double Gas::mixture_pressure(const Chamber& chamber, double volume, double time)
       const Charge& own = model_.scene.charges[charge];
       const GasMoment now = moment(chamber, time - own.delay);
       const double v = fallen_to(pressure, -7, 60, [&](double log) { return own.law.pressure(std::exp2(log), now); });
-      sum += first_volume_[charge] * left_[charge] * std::exp2(v);
+      sum += room(charge) * std::exp2(v);
     }
     return sum;
   };
@@ -153,7 +209,7 @@ double Gas::law_work(const Chamber& chamber, double from, double to, double time
   const int charge = chamber.charges[0];
   if (chamber.charges.size() > 1)
     return talus::work({[&](double volume, const GasMoment&) { return law_pressure(chamber, volume, time); }, {}, {}}, from, to);
-  const double first = first_volume_[charge] * left_[charge];
+  const double first = room(charge);
   const Charge& own = model_.scene.charges[charge];
   return first * talus::work(own.law, from / first, to / first, moment(chamber, time - own.delay));
 }
@@ -165,6 +221,15 @@ double Gas::vent_part(const Chamber& chamber, double time) const {
   if (first.orifice)
     return std::any_of(chamber.charges.begin(), chamber.charges.end(), [&](int charge) { return left_[charge] > 0; });
   return first.venting ? first.venting(moment(chamber, time - chamber.vented_at)) : 0;
+}
+
+// Gas that has vented by a law has left: what is left has by its own law the pressure that the chamber has.
+void Gas::settle_venting(Chamber& chamber) {
+  if (chamber.state != Chamber::State::vented || model_.scene.charges[chamber.charges[0]].orifice) return;
+  const double part = vent_part(chamber, model_.time), pressure = law_pressure(chamber, chamber.volume, model_.time);
+  const double wider = fallen_to(part * pressure, 0, 60, [&](double log) { return law_pressure(chamber, chamber.volume * std::exp2(log), model_.time); });
+  for (const int charge : chamber.charges) left_[charge] *= std::exp2(-wider);
+  chamber.vented_at = model_.time;
 }
 
 double Gas::mean_pressure(const Chamber& chamber, double volume) const {
@@ -240,8 +305,7 @@ void Gas::end_step(double dt) {
     chamber.volume = guess.volume;
     chamber.gain = guess.slope / (dt * dt);
     chamber.yield = (guess.offset - guess.free) / (dt * dt);
-    const auto& speed = model_.scene.charges[chamber.charges[0]].gas_speed;
-    chamber.front += dt * speed(moment(chamber, model_.time - chamber.began));
+    advance_fronts(chamber, (before + chamber.volume) / 2, guess.pressure, dt);
     spread(int(c));
     check_fall(chamber, before, middle);
     leak(int(c), dt);
@@ -250,12 +314,21 @@ void Gas::end_step(double dt) {
   vent();
 }
 
+// By the speed at the middle of the step.
+void Gas::advance_fronts(Chamber& chamber, double volume, double pressure, double dt) {
+  const auto& speed = model_.scene.charges[chamber.charges[0]].gas_speed;
+  GasMoment middle{std::max(0.0, model_.time - dt / 2 - chamber.began), volume, first_volume_[chamber.charges[0]], pressure, chamber.front()};
+  middle.front += dt / 2 * speed(middle);
+  const double way = dt * speed(middle);
+  for (double& front : chamber.fronts) front += way;
+}
+
 // A law that grows on the way, between the volumes that were tried when it was declared, would make gas from nothing. That of a mixture
 // is asked for any volume by its search, and only of charges that passed this before they met.
 void Gas::check_fall(const Chamber& chamber, double before, const GasMoment& now) const {
   if (chamber.charges.size() > 1) return;
   const int charge = chamber.charges[0];
-  const double first = first_volume_[charge] * left_[charge];
+  const double first = room(charge);
   const auto& check = model_.scene.charges[charge].check_fall;
   if (check) check(before / first, chamber.volume / first, now);
 }
@@ -264,10 +337,12 @@ void Gas::check_fall(const Chamber& chamber, double before, const GasMoment& now
 void Gas::find_reach(int c) {
   const Chamber& chamber = chambers_[c];
   reach_[c] = paths_.find(model_, chamber.walls, [&](const Vec2& p) {
-    return std::any_of(chamber.walls.begin(), chamber.walls.end(), [&](int wall) {
-      const double radius = std::max(model_.hole_walls[wall].radius, chamber.front);
-      return (p - model_.hole_walls[wall].centre).squaredNorm() <= radius * radius;
-    });
+    for (size_t k = 0; k < chamber.walls.size(); ++k) {
+      const HoleWall& hole = model_.hole_walls[chamber.walls[k]];
+      const double radius = std::max(hole.radius, chamber.fronts[k]);
+      if ((p - hole.centre).squaredNorm() <= radius * radius) return true;
+    }
+    return false;
   });
 }
 

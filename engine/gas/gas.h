@@ -6,6 +6,7 @@
 // pressure of the step is the work of the law over the volume swept, divided by that volume, and volume and pressure are
 // found together (a fixed point in one number a chamber, whose slope is kept from step to step), so that the rock gets what
 // the law gives. Volume that joins when the gas enters further cracks is filled without work.
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -22,20 +23,22 @@ struct Chamber {
   double pressure = 0;   // Pa, by the law, now
   double began = 0;      // s
   double vented_at = 0;  // s
-  double front = 0;      // m, way of the gas from the centres of its holes; it is at the wall until that is more
+  std::vector<double> fronts;  // m, of walls: way of the gas from the centre of the hole, since it is there; it is at the wall until that is more
   double gain = 0;       // m3/(Pa s2), how much more volume a step gives for a higher pressure, over its length squared
   double yield = 0;      // m3/s2, how much less it gave than the blocks' free flight at no pressure
   double joined = 0;     // m3, filled without work so far
   double work = 0;       // J/m, of the law along the volume swept
   double opening = 0;    // m, of what it vents through, now
+
+  double front() const { return *std::max_element(fronts.begin(), fronts.end()); }
 };
 void visit_state(Chamber& chamber, StateVisitor& visitor);
 
 enum class GasEventKind { detonation, venting, merging };
 struct GasEvent {
   GasEventKind kind;
-  int chamber = 0, other = -1;
-  double time = 0, volume = 0, pressure = 0;  // s, m3, Pa just before
+  int wall = 0, other = -1;                   // of the charge that went off, else of the chamber
+  double time = 0, volume = 0, pressure = 0;  // s; m3, Pa of the chamber, before it vents and after it has met the other
   bool collar = false;                        // it vents because its stemming is out
   Vec2 at = Vec2::Zero();                     // m, where it vents: the free surface, or the middle of its hole
 };
@@ -52,9 +55,11 @@ class Gas {
 
   // s, of the next charge to go off, infinite where there is none: no step may pass it.
   double next_detonation() const;
-  // Charges that are due go off, and the faces that gas presses on in this step are laid. Once before the attempts at it, and
-  // before what sleeps is woken.
-  void detonate();
+  // Charges that are due, or will be in less than `soon` (s), go off, and the faces that gas presses on in this step are laid. Once
+  // before the attempts at it, and before what sleeps is woken.
+  void detonate(double soon);
+  // s: in longer steps a wall that gas presses on does not follow it.
+  double longest_step() const;
   // First guesses of the pressures for an attempt at a step of `dt`.
   void begin_step(double dt);
   // After a solve that leads to `moved`: whether the pressures it was made with are those of the volumes it leads to. If not,
@@ -72,18 +77,24 @@ class Gas {
   double left(int charge) const { return left_[charge]; }
   double stemming_way(int charge) const { return stemming_.empty() ? 0 : stemming_[charge].way; }
   int chamber_of(int wall) const;  // that holds the gas of this hole now
+  double front(int wall) const;    // m, from its centre
   void visit_state(StateVisitor& visitor);
   void restored();
 
  private:
   bool presses(const Chamber& chamber) const;
+  double wave_speed(int wall) const;
+  void set_apart(int wall);
+  void settle_venting(Chamber& chamber);
   void lay_faces();
   GasMoment moment(const Chamber& chamber, double since) const;
+  double room(int charge) const;  // m3, in which its law begins, for what is left of it
   double law_pressure(const Chamber& chamber, double volume, double time) const;
   double mixture_pressure(const Chamber& chamber, double volume, double time) const;
   double mean_pressure(const Chamber& chamber, double volume) const;  // over the way from the present volume
   double law_work(const Chamber& chamber, double from, double to, double time) const;
   void check_fall(const Chamber& chamber, double before, const GasMoment& now) const;
+  void advance_fronts(Chamber& chamber, double volume, double pressure, double dt);
   void find_reach(int chamber);
   void spread(int chamber);
   bool meet(int a, int b) const;
@@ -102,7 +113,7 @@ class Gas {
   GasPaths paths_;
   std::vector<Chamber> chambers_;
   std::vector<double> first_volume_;  // m3, of each charge's hole when it went off
-  std::vector<double> left_;          // part of each charge's gas that has not left through an orifice
+  std::vector<double> left_;          // part of each charge's gas that has not left
   std::vector<StemmingMotion> stemming_;  // of each charge; empty where no charge has one
   std::vector<Reach> reach_;
   struct Guess {

@@ -48,28 +48,35 @@ void Gas::merge() {
   }
 }
 
+// What an orifice has let out is missing in the gas itself. Else one that has blown out at once is open to the free surface for the other
+// too, and of one that vents by a law what has left is taken from its gas: the law begins again with both.
 void Gas::take_over(int c, int other) {
   Chamber &own = chambers_[c], &met = chambers_[other];
-  const bool vents = met.state == Chamber::State::vented;
-  if (vents && !model_.scene.charges[own.charges[0]].orifice) {
+  const bool orifice = model_.scene.charges[own.charges[0]].orifice.has_value(), open = met.state == Chamber::State::vented;
+  if (open && !orifice && !pressing(met)) {
     reach_[c].surface = true;
     reach_[c].outlet = reach_[other].outlet;
     return;
   }
-  events_.push_back({GasEventKind::merging, c, other, model_.time, met.volume, met.pressure});
+  const bool vents = open || own.state == Chamber::State::vented;
+  if (vents && !orifice) {
+    settle_venting(own);
+    if (pressing(met)) settle_venting(met);
+    own.vented_at = model_.time;
+  } else if (open) {
+    own.vented_at = own.state == Chamber::State::vented ? std::min(own.vented_at, met.vented_at) : met.vented_at;
+  }
+  if (vents) own.state = Chamber::State::vented;
   own.walls.insert(own.walls.end(), met.walls.begin(), met.walls.end());
+  own.fronts.insert(own.fronts.end(), met.fronts.begin(), met.fronts.end());
   own.charges.insert(own.charges.end(), met.charges.begin(), met.charges.end());
   own.joined += met.joined;
   own.work += met.work;
-  own.front = std::max(own.front, met.front);
   if (pressing(met)) own.volume += met.volume;
-  if (vents) {
-    own.vented_at = own.state == Chamber::State::vented ? std::min(own.vented_at, met.vented_at) : met.vented_at;
-    own.state = Chamber::State::vented;
-  }
   met.state = Chamber::State::merged;
   met.pressure = 0;
   spread(c);
+  events_.push_back({GasEventKind::merging, c, other, model_.time, own.volume, own.pressure});
 }
 
 // A column of length L and density ρ that only its inertia holds: x'' = P/(ρL), until x = L. P is that of the step.
@@ -132,7 +139,7 @@ void Gas::leak(int c, double dt) {
   if (chamber.state != Chamber::State::vented || !orifice || chamber.pressure == 0) return;
   double mass = 0;
   for (const int charge : chamber.charges)
-    mass += left_[charge] * first_volume_[charge] *
+    mass += room(charge) *
             (charges[charge].orifice ? charges[charge].orifice : orifice)->density;
   const double before = chamber.opening;
   chamber.opening = opening_of(c);

@@ -71,9 +71,10 @@ GasPaths::GasPaths(const Model& model)
   }
   for (size_t w = 0; w < model.hole_walls.size(); ++w)
     for (const BlockEdge& edge : model.hole_walls[w].edges) {
-      const int node = node_of.at(model.shapes[edge.block].vertex_begin + edge.edge);
-      wall_nodes_[w].push_back(node);
-      wall_at_[node] = int(w);
+      const auto node = node_of.find(model.shapes[edge.block].vertex_begin + edge.edge);
+      if (node == node_of.end()) continue;  // of a block that was given ready
+      wall_nodes_[w].push_back(node->second);
+      wall_at_[node->second] = int(w);
     }
 }
 
@@ -156,12 +157,18 @@ double gas_volume(const Model& model, const std::vector<BlockState>& blocks, dou
   };
   double volume = 0;
   for (const int wall : walls) {
-    Polyline hole;  // the wall has its blocks on the left, the hole on the right
-    for (const BlockEdge& edge : model.hole_walls[wall].edges) {
+    const HoleWall& own = model.hole_walls[wall];
+    Polyline outline;  // blocks are on its left: the wall's has the hole on the right, that of what lies in the hole itself on the left
+    for (size_t k = 0; k < own.edges.size(); ++k) {
+      if (std::find(own.outlines.begin() + 1, own.outlines.end(), k) != own.outlines.end()) {
+        volume -= signed_area(outline);
+        outline.clear();
+      }
+      const BlockEdge& edge = own.edges[k];
       const Vec2* const corners = &model.reference_vertex[model.shapes[edge.block].vertex_begin];
-      follow_face(edge.block, corners[edge.edge], corners[model.next_vertex(edge.block, edge.edge)], hole);
+      follow_face(edge.block, corners[edge.edge], corners[model.next_vertex(edge.block, edge.edge)], outline);
     }
-    volume -= signed_area(hole);
+    volume -= signed_area(outline);
   }
   for (const ReachedJoint& r : reach.joints) {
     const Joint& joint = model.joints[r.joint];

@@ -181,6 +181,7 @@ struct Contact {
   double normal_force = 0, shear_force = 0;  // N; normal positive when pressed together
   double may_part = -1;               // m/s, the most at which what presses here may part, by its restitution; < 0: no bound yet
   bool parts = false;                 // has parted since that bound was set
+  bool held_back = false;             // its blocks were, by a restitution, after the last step: they do not press where its force was found
   // N, m: of a static run, at the end of the last load step; no number: has taken over from another contact since.
   double load_shear = 0, load_slip = 0;
   // What the contact cannot hold of its sliding is slip: at the end of a step; of a load step, where friction goes by the way from
@@ -232,12 +233,15 @@ struct BlockEdge {
   int block = 0, edge = 0;  // ids; edge local
 };
 
-// The wall of a charge's hole: free edges in order, each beginning where the one before ends.
+// The wall of a charge's hole: free edges in order, each beginning where the one before ends; then likewise the outlines of what lies in the
+// hole by itself.
 struct HoleWall {
   int charge = 0;
   Vec2 centre = Vec2::Zero();  // of the hole, reference
   double radius = 0;           // m, of a disc of its area
   std::vector<BlockEdge> edges;
+  std::vector<size_t> outlines = {0};  // where in edges each begins
+  double taken = 0;                    // part of the hole's area, by what lies in it
 };
 
 struct GasFace {  // part of a block's edge under gas, in this step

@@ -217,7 +217,7 @@ void visit_state(Strength& strength, StateVisitor& v) {
 
 void visit_state(Contact& contact, StateVisitor& v) {
   auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset, lies,
-         stretch, slip, normal_force, shear_force, may_part, parts, load_shear, load_slip, global_vertex, global_edge] = contact;
+         stretch, slip, normal_force, shear_force, may_part, parts, held_back, load_shear, load_slip, global_vertex, global_edge] = contact;
   v("i", i);
   v("vertex", vertex);
   v("j", j);
@@ -238,6 +238,7 @@ void visit_state(Contact& contact, StateVisitor& v) {
   v("shear_force", shear_force);
   v("may_part", may_part);
   v("parts", parts);
+  v("held_back", held_back);
   v("load_shear", load_shear);
   v("load_slip", load_slip);
   v("global_vertex", global_vertex);

@@ -1,4 +1,5 @@
 // Charges find the walls of their holes, and the gas the free surfaces where it vents.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -15,6 +16,38 @@ namespace {
 constexpr double on_outline = 1e-9;  // of the scene's size, as for fixities: far above rounding, far below any block
 
 std::pair<double, double> key(const Vec2& p) { return {p.x(), p.y()}; }
+
+// Outlines of blocks, or of blocks that hang together, which lie in the hole with nothing of them outside.
+void add_loose(const Model& model, const Hole& hole, const std::vector<FreeEdge>& edges, HoleWall& wall) {
+  std::multimap<std::pair<double, double>, const FreeEdge*> from;
+  const auto lies_in = [&](int block) {
+    const BlockShape& shape = model.shapes[block];
+    for (int v = shape.vertex_begin; v < shape.vertex_end; ++v)
+      if (!contains(hole.outline, model.reference_place(block, model.reference_vertex[v]))) return false;
+    return true;
+  };
+  for (const FreeEdge& edge : edges)
+    if (lies_in(edge.block)) from.emplace(key(edge.from), &edge);
+  double taken = 0;
+  while (!from.empty()) {
+    const FreeEdge* edge = from.begin()->second;
+    const Vec2 start = edge->from;
+    wall.outlines.push_back(wall.edges.size());
+    while (edge) {
+      wall.edges.push_back({edge->block, edge->edge});
+      taken += perp(edge->from - wall.centre).dot(edge->to - wall.centre) / 2;
+      const auto erased = [&](const auto& entry) { return entry.second == edge; };
+      const auto own = from.equal_range(key(edge->from));
+      from.erase(std::find_if(own.first, own.second, erased));
+      const auto [begin, end] = from.equal_range(key(edge->to));
+      // At a corner that two blocks share the same one goes on, where it can.
+      const auto same = std::find_if(begin, end, [&](const auto& entry) { return entry.second->block == edge->block; });
+      const auto next = same != end ? same : begin;
+      edge = edge->to == start || next == end ? nullptr : next->second;
+    }
+  }
+  wall.taken = taken / (std::numbers::pi * wall.radius * wall.radius);
+}
 
 HoleWall wall_of(const Model& model, int id, const std::vector<FreeEdge>& edges) {
   const Charge& charge = model.scene.charges[id];
@@ -43,6 +76,9 @@ HoleWall wall_of(const Model& model, int id, const std::vector<FreeEdge>& edges)
     throw InputError(charge.place, "charge.hole", "a hole with a closed wall of free edges",
                      "\"" + hole.name + "\", whose wall has " + std::to_string(wall.edges.size()) + " of " +
                          std::to_string(count) + " edges in a row");
+  add_loose(model, hole, edges, wall);
+  if (!(wall.taken < 1 - on_outline))
+    throw InputError(charge.place, "charge.hole", "a hole with room for gas", "\"" + hole.name + "\", which is filled with blocks");
   return wall;
 }
 

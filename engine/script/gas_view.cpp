@@ -10,8 +10,8 @@
 namespace talus {
 namespace {
 
-const std::string& charge_of(const Simulation& simulation, int chamber) {
-  return simulation.model.scene.charges[simulation.model.hole_walls[chamber].charge].name;
+const std::string& charge_of(const Simulation& simulation, int wall) {
+  return simulation.model.scene.charges[simulation.model.hole_walls[wall].charge].name;
 }
 
 // .reached = { { joint, from, to }, … }, .reach: m of joints that the gas has entered.
@@ -73,15 +73,15 @@ std::vector<std::string> early_venting(const Simulation& simulation) {
   const auto& events = simulation.gas_events();
   for (const GasEvent& e : events) {
     if (e.kind != GasEventKind::venting || e.collar) continue;
-    const auto went_off = std::find_if(events.begin(), events.end(), [&e](const GasEvent& other) {
-      return other.kind == GasEventKind::detonation && other.chamber == e.chamber;
+    const auto went_off = std::find_if(events.begin(), events.end(), [&](const GasEvent& other) {
+      return other.kind == GasEventKind::detonation && simulation.gas()->chamber_of(other.wall) == e.wall;
     });
     if (went_off == events.end()) continue;
     const Vec2 at = e.at + simulation.model.origin;
     char text[200];
     std::snprintf(text, sizeof text, " vents in the step in which it goes off, at t = %g s: its hole is open to the free surface at (%g, %g)",
                   went_off->time, at.x(), at.y());
-    notes.push_back("charge \"" + charge_of(simulation, e.chamber) + '"' + text);
+    notes.push_back("charge \"" + charge_of(simulation, went_off->wall) + '"' + text);
   }
   return notes;
 }
@@ -93,7 +93,7 @@ int push_gas_events(lua_State* L, const Simulation& simulation) {
     const GasEvent& e = events[k];
     lua_createtable(L, 0, 9);
     set_text(L, "kind", e.kind == GasEventKind::detonation ? "detonation" : e.kind == GasEventKind::venting ? "venting" : "merging");
-    set_text(L, "charge", charge_of(simulation, e.chamber));
+    set_text(L, "charge", charge_of(simulation, e.wall));
     if (e.kind == GasEventKind::venting) {
       set_text(L, "by", e.collar ? "stemming" : "surface");
       set_number(L, "x", e.at.x() + simulation.model.origin.x());
@@ -131,14 +131,14 @@ void push_charges(lua_State* L, const Simulation& simulation) {
     set_number(L, "radius", wall.radius);
     push_reached(L, simulation.model, gas->reach(holder));
     set_text(L, "name", own.name);
-    set_text(L, "state", states[int(chamber.state)]);
+    set_text(L, "state", states[int(gas->first_volume(charge) > 0 ? chamber.state : Chamber::State::waiting)]);
     lua_pushboolean(L, chamber.state == Chamber::State::vented);
     lua_setfield(L, -2, "vented");
     set_number(L, "vented_at", chamber.vented_at);
     set_number(L, "volume", chamber.volume);
     set_number(L, "first_volume", gas->first_volume(charge));
     set_number(L, "pressure", chamber.pressure);
-    set_number(L, "front", std::max(simulation.model.hole_walls[k].radius, chamber.front));
+    set_number(L, "front", gas->front(int(k)));
     set_number(L, "work", chamber.work);
     set_number(L, "joined", chamber.joined);
     make_read_only(L);

@@ -165,7 +165,7 @@ ContactBooking::ContactBooking(const Model& model, const std::vector<Vec2>& befo
     const auto [gap, rate] = gap_of(model, c, before);
     const double place = std::max(0.0, -(gap + c.offset + ahead_before * rate)),
                  pressed = c.normal_force / c.normal_stiffness;
-    const bool handed = std::abs(place - pressed) > bend(model, c, seconds) + 1e-6 * model.shapes[c.i].length;
+    const bool handed = !c.held_back && std::abs(place - pressed) > bend(model, c, seconds) + 1e-6 * model.shapes[c.i].length;
     before_.push_back({gap_of(model, c, model.vertex).gap, pressed, c.stretch, c.slip, handed});
   }
 }

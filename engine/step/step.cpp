@@ -100,7 +100,10 @@ StepReport Stepper::dynamic_step(double most) {
   const Numerics& numerics = model_.scene.numerics;
   StepReport report;
   if (fracture_) fracture_->clear_events();
-  if (gas_) gas_->detonate();
+  if (gas_) {
+    gas_->detonate(step_size_.least());
+    step_size_.at_most(gas_->longest_step());
+  }
   bool regretted = false;
   for (double dt = std::min(next_dt(), most);; dt = std::min(next_dt(), most), ++report.cuts) {
     effort_ = split_anew_ = released_ = 0;
@@ -124,6 +127,7 @@ StepReport Stepper::dynamic_step(double most) {
     std::vector<BlockState> moved, seen;  // where the step leads; and where it led before it went past contacts
     bool past = false;
     double far = 0;       // m, that bounds the step
+    int crushed = -1;     // block
     double released = 0;  // J/m, by bonds that fail in this step
     std::optional<BridgeBooking> bridge_booking;
     nearness_.clear();
@@ -158,7 +162,8 @@ StepReport Stepper::dynamic_step(double most) {
       if (step_size_.heeds_turns()) far = std::max(far, step_size_.as_far_as(largest_turn_of_pressed(model_, moved)));
 
       // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
-      if (step_size_.too_far(far)) break;
+      crushed = crushed_block(model_, moved);
+      if (step_size_.too_far(far) || crushed >= 0) break;
       if (fracture_ && breaks(moved, dt, report)) continue;
       // 5. Contacts that it went past: once again with those on its way.
       past = plan_.contacts && step_size_.may_halve(dt) && overlooks(dt, report.displacement, d, moved);
@@ -167,9 +172,9 @@ StepReport Stepper::dynamic_step(double most) {
     }
 
     // 6. Not settled, or moved too far: everything as it was; again with a smaller step.
-    if (!result.converged || step_size_.too_far(far)) {
+    if (!result.converged || step_size_.too_far(far) || crushed >= 0) {
       step_size_.cut(dt, result.converged ? far : 0);
-      if (step_size_.next(model_.time) < step_size_.least()) give_up(result, dt);
+      if (step_size_.next(model_.time) < step_size_.least()) give_up(result, dt, result.converged ? crushed : -1);
       ++totals_.cuts;
       continue;
     }
@@ -501,8 +506,15 @@ Energies Stepper::energies() {
   return e;
 }
 
-void Stepper::give_up(const OpenCloseResult& result, double dt) const {
+void Stepper::give_up(const OpenCloseResult& result, double dt, int crushed) const {
   char text[400];
+  if (crushed >= 0) {
+    std::snprintf(text, sizeof text,
+                  "t = %.9g s: %s would be squeezed to less than a tenth of its area: a pressure, load or speed of the scene is beyond what "
+                  "material.young, %.3g Pa, holds linearly",
+                  model_.time, block_name(model_, crushed).c_str(), model_.material(crushed).young);
+    throw RunError(text);
+  }
   if (result.singular_block >= 0 && dt > 0) {
     std::snprintf(text, sizeof text,
                   "t = %.9g s: no step down to %.3g s has a solution: the inertia of %s is lost beside its stiffness; give a shorter time.dt",

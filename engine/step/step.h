@@ -109,7 +109,7 @@ class Stepper {
   std::optional<ContactBooking> contacts_at_start(const std::vector<Vec2>& vertex_before, double ahead_before, double dt);
   // `booking`: of a step in motion; without it such a step has nothing to book.
   void accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking = {});
-  [[noreturn]] void give_up(const OpenCloseResult& result, double dt) const;
+  [[noreturn]] void give_up(const OpenCloseResult& result, double dt, int crushed = -1) const;
   int culprit(const Equilibrium& search) const;  // the block that is named when there is no equilibrium
 
   Model& model_;

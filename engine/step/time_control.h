@@ -22,6 +22,9 @@ class StepSize {
   // An attempt whose contacts were not those that it came to meet is taken again in half of it.
   bool may_halve(double dt) const { return dt / 2 >= least_; }
   void halve(double dt) { dt_ = dt / 2; }
+  void at_most(double seconds) {  // the next one, where steps are automatic
+    if (automatic_) dt_ = std::min(dt_, std::max(seconds, least_));
+  }
   void regret(double last) {  // a change from `last`: that length again, and then slowly on
     dt_ = std::min(last, most_);
     cautious_ = caution_;

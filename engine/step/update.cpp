@@ -65,6 +65,14 @@ double largest_displacement(const Model& model, const std::vector<BlockState>& m
   return largest;
 }
 
+int crushed_block(const Model& model, const std::vector<BlockState>& moved) {
+  constexpr double least = 0.1;  // of the area
+  const auto left = [](const Vec3& e) { return (1 + e[0]) * (1 + e[1]) - e[2] * e[2] / 4; };
+  for (size_t b = 0; b < moved.size(); ++b)
+    if (const double now = left(moved[b].strain); now < least && now < left(model.blocks[b].strain)) return int(b);
+  return -1;
+}
+
 double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>& moved) {
   double largest = 0;
   for (size_t k = size_t(model.sleeping_contacts); k < model.contacts.size(); ++k)

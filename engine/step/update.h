@@ -16,4 +16,7 @@ double largest_displacement(const Model& model, const std::vector<BlockState>& m
 // rad, by blocks that something presses on.
 double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>& moved);
 
+// A block that `moved` squeezes to less than a tenth of its area, further than it is, or -1: linear elasticity would turn it inside out.
+int crushed_block(const Model& model, const std::vector<BlockState>& moved);
+
 }  // namespace talus

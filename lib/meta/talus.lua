@@ -458,7 +458,7 @@ function talus.eos.jwl(fields) end
 ---@field output? talus.output|table what is written
 ---@field on_step? function `function(sim)`, called once after each accepted step
 ---@field on_fracture? function `function(sim, cracks)`, called after a step in which bonds failed, before on_step: a list of `{ joint, mode = "tension" or "shear", kind = "initiated", "propagated" or "coalesced", x, y, length, time, normal, shear, utilisation }`, tractions in Pa
----@field on_gas? function `function(sim, events)`, called after a step in which a charge went off, a chamber vented or two met: a list of `{ kind = "detonation", "venting" or "merging", charge, other, time, volume, pressure, by, x, y }`, by = "surface" or "stemming" what a chamber vents through, x, y (m) where: the point of the free surface that its gas has come to, or the middle of the hole
+---@field on_gas? function `function(sim, events)`, called after a step in which a charge went off, a chamber vented or two met: a list of `{ kind = "detonation", "venting" or "merging", charge, other, time, volume, pressure, by, x, y }`, by = "surface" or "stemming" what a chamber vents through, x, y (m) where: the point of the free surface that its gas has come to, or the middle of the hole; volume (m3/m) and pressure (Pa) of the chamber before it vents, and after two have met
 ---@field stop? function `function(sim)`, called after each accepted step, after on_step: the run ends where it returns true
 ---@field on_output? function `function(sim)`, called after each output time was written
 ---@field max_blocks? integer >= 1; a mesh that would give more is refused

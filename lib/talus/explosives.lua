@@ -40,16 +40,21 @@ function explosives.constants(source)
   return flat, known and known.density or object.kind(source) == "explosive" and given(source, "density") or nil
 end
 
--- Area of a hole, and the diameter of the circle round the regular polygon of that area and as many corners: that of a
--- talus.circle.
+-- Area of a hole, and the diameter of the widest charge: of the circle round a regular polygon of six corners or more, which stands for
+-- it as a talus.circle does; else of a disc of that area.
 local function size_of(points)
-  local area, n = 0, #points
+  local area, n, x, y = 0, #points, 0, 0
   for i, p in ipairs(points) do
     local q = points[i % n + 1]
     area = area + (p[1]*q[2] - p[2]*q[1])/2
+    x, y = x + p[1]/n, y + p[2]/n
   end
   area = math.abs(area)
-  return area, 2*math.sqrt(2*area/(n*math.sin(2*math.pi/n)))
+  local round = 2*math.sqrt(2*area/(n*math.sin(2*math.pi/n)))
+  for _, p in ipairs(points) do
+    if n < 6 or math.abs(2*math.sqrt((p[1] - x)^2 + (p[2] - y)^2) - round) > 1e-6*round then return area, 2*math.sqrt(area/math.pi) end
+  end
+  return area, round
 end
 
 -- The isentrope in v = V/V0 and the mass a metre. w, the volume over that of the explosive at the density its constants hold

@@ -149,18 +149,21 @@ end
 local function find_hole(charge, regions, links)
   local wanted, region = given(charge, "hole"), given(charge, "region")
   local asked = region and links.region(region, charge)
-  local names, found = {}, nil
+  local names, found, elsewhere = {}, nil, nil
   for r, candidate in ipairs(regions) do
     for h, hole in ipairs(given(candidate, "holes") or {}) do
       local name = given(hole, "name") or ("hole %d"):format(h)
       names[#names + 1] = name
+      if name == wanted and asked and candidate ~= asked then elsewhere = given(candidate, "name") or ("region %d"):format(r) end
       if name == wanted and (not asked or candidate == asked) then
         if found then refuse_second(charge, found.region == r and (given(candidate, "name") or ("region %d"):format(r))) end
         found = { region = r, hole = h, outline = given(hole, "points") }
       end
     end
   end
-  if not found then
+  if not found and elsewhere then
+    places.fail(object.place(charge), ("charge.hole: there is no hole %q in region %q; it is in region %q"):format(wanted, region, elsewhere))
+  elseif not found then
     places.fail(object.place(charge), ("charge.hole: there is no hole %q%s; name it with talus.circle { …, name = %q }")
       :format(wanted, native.suggestion(wanted, names), wanted))
   end

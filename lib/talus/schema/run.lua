@@ -45,7 +45,7 @@ return {
         doc = "`function(sim, events)`, called after a step in which a charge went off, a chamber vented or two met: a list of"
           .. " `{ kind = \"detonation\", \"venting\" or \"merging\", charge, other, time, volume, pressure, by, x, y }`, by ="
           .. " \"surface\" or \"stemming\" what a chamber vents through, x, y (m) where: the point of the free surface that its gas has"
-          .. " come to, or the middle of the hole" },
+          .. " come to, or the middle of the hole; volume (m3/m) and pressure (Pa) of the chamber before it vents, and after two have met" },
       { name = "stop", type = "function",
         doc = "`function(sim)`, called after each accepted step, after on_step: the run ends where it returns true" },
       { name = "on_output", type = "function",
