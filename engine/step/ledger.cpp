@@ -278,25 +278,58 @@ void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledge
   keep_largest(ledger);
 }
 
-// Theory, section 9: with blocks weighed at X + μv a step loses at least λ Δt Σ m a² + `dissipated` - Σ (λ-μ) m g·Δv. That pays for
-// moving to y those whose weight that lifts; as far as it goes, all by the same part of the way.
-void weigh(Model& model, const std::vector<BlockState>& before, const Scheme& scheme, double dissipated) {
-  const auto velocity = [](const BlockState& state) { return Vec2(state.velocity[0], state.velocity[1]); };
-  const auto late = [&](size_t b) { return model.sleeps(int(b)) || model.shapes[b].dofs == 0 ? 0 : scheme.bond_ahead - model.blocks[b].weighed_ahead; };
-  const auto lift = [&](size_t b) { return -late(b) * model.mass(int(b)) * model.scene.gravity.dot(velocity(model.blocks[b])); };
-  size_t first = 0;
-  while (first < before.size() && late(first) == 0) ++first;
-  if (first == before.size()) return;  // the step is as long as the last
-  double lost = dissipated, lifted = 0;
+namespace {
+
+Vec2 velocity_of(const BlockState& state) { return {state.velocity[0], state.velocity[1]}; }
+
+// s, by which a block is weighed nearer to X than y.
+double late(const Model& model, const Scheme& scheme, size_t b) {
+  return model.sleeps(int(b)) || model.shapes[b].dofs == 0 ? 0 : scheme.bond_ahead - model.blocks[b].weighed_ahead;
+}
+
+}  // namespace
+
+bool weighed_late(const Model& model, const Scheme& scheme) {
+  for (size_t b = 0; b < model.blocks.size(); ++b)
+    if (late(model, scheme, b) != 0) return true;
+  return false;
+}
+
+double least_loss(const Model& model, const std::vector<BlockState>& before, const Scheme& scheme, double dissipated) {
+  double lost = dissipated;
   for (size_t b = 0; b < before.size(); ++b) {
     if (model.sleeps(int(b)) || model.shapes[b].dofs == 0) continue;
-    const Vec2 change = velocity(model.blocks[b]) - velocity(before[b]);
-    lost += model.mass(int(b)) * (scheme.bond_ahead / scheme.dt * change.squaredNorm() - late(b) * model.scene.gravity.dot(change));
-    (lift(b) > 0 ? lifted : lost) += std::abs(lift(b));
+    const Vec2 change = velocity_of(model.blocks[b]) - velocity_of(before[b]);
+    lost += model.mass(int(b)) * (scheme.bond_ahead / scheme.dt * change.squaredNorm() - late(model, scheme, b) * model.scene.gravity.dot(change));
   }
-  lost = std::max(lost, 0.0);
-  const double part = lifted > lost ? lost / lifted : 1;
-  for (size_t b = 0; b < before.size(); ++b) model.blocks[b].weighed_ahead += late(b) * (lift(b) > 0 ? part : 1);
+  return lost;
+}
+
+void weigh_nearer(Model& model, double gained) {
+  const auto lift = [&](size_t b) {  // J/m, of what lies higher at y than at X
+    if (model.sleeps(int(b)) || model.shapes[b].dofs == 0) return 0.0;
+    return std::max(0.0, -model.blocks[b].weighed_ahead * model.mass(int(b)) * model.scene.gravity.dot(velocity_of(model.blocks[b])));
+  };
+  double most = 0;
+  for (size_t b = 0; b < model.blocks.size(); ++b) most += lift(b);
+  if (most == 0) return;
+  const double part = std::min(1.0, gained / most);
+  for (size_t b = 0; b < model.blocks.size(); ++b)
+    if (lift(b) > 0) model.blocks[b].weighed_ahead *= 1 - part;
+}
+
+double weigh(Model& model, const Scheme& scheme, double lost) {
+  const auto lift = [&](size_t b) { return -late(model, scheme, b) * model.mass(int(b)) * model.scene.gravity.dot(velocity_of(model.blocks[b])); };
+  double lifted = 0, lowered = 0;
+  for (size_t b = 0; b < model.blocks.size(); ++b) (lift(b) > 0 ? lifted : lowered) += std::abs(lift(b));
+  const double pays = std::max(lost + lowered, 0.0), part = lifted > pays ? pays / lifted : 1;
+  for (size_t b = 0; b < model.blocks.size(); ++b) {
+    double& ahead = model.blocks[b].weighed_ahead;
+    const double way = late(model, scheme, b);
+    if (way == 0) continue;
+    ahead = lift(b) > 0 && part < 1 ? ahead + part * way : scheme.bond_ahead;
+  }
+  return part * lifted - lowered;
 }
 
 }  // namespace talus

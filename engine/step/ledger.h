@@ -63,9 +63,16 @@ struct BookedStep {  // what an accepted step was solved with; the model is stil
 // Forces that do not come from contacts, and the loss of bulk, bonds and supports.
 void book_motion(const BookedStep& step, Ledger& ledger);
 
-// Where blocks are weighed from now on: at y of the step that has moved them, as far as what it lost pays for. `dissipated`: J/m, of that by
-// friction and at viscous boundaries.
-void weigh(Model& model, const std::vector<BlockState>& before, const Scheme& scheme, double dissipated);
+// Whether a block is not weighed at y of such a step.
+bool weighed_late(const Model& model, const Scheme& scheme);
+// J/m, that a step has lost at least while each block is weighed where it was (theory, section 9). `dissipated`: of that by friction and at
+// viscous boundaries.
+double least_loss(const Model& model, const std::vector<BlockState>& before, const Scheme& scheme, double dissipated);
+// Blocks are weighed at y of the step that has moved them: at once those that this lowers; as far as the `lost` (J/m) and that pay for it, all
+// by the same part of the way, those that it lifts. Returns what it adds to the total energy.
+double weigh(Model& model, const Scheme& scheme, double lost);
+// Blocks on their way up are weighed nearer to X, as far as takes off what a step of another length has gained.
+void weigh_nearer(Model& model, double gained);
 
 // Contacts of what is awake before and after a step; `ahead0`: ahead of the step before.
 class ContactBooking {

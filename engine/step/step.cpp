@@ -112,8 +112,9 @@ StepReport Stepper::dynamic_step(double most) {
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
     // Another step than the last: y stays, as far as bodies deform or lie on something.
     std::optional<Energies> start;
-    if (scheme.bond_ahead != ledger_.ahead) {
-      if (plan_.contacts && !fracture_ && !regretted && ledger_.ahead > 0) start = energies();
+    const bool changes = scheme.bond_ahead != ledger_.ahead;
+    if (plan_.contacts && !fracture_ && ledger_.ahead > 0 && (changes || weighed_late(model_, scheme))) start = energies();
+    if (changes) {
       attempt.keep_places();
       change_step(scheme.bond_ahead);
     }
@@ -188,14 +189,15 @@ StepReport Stepper::dynamic_step(double most) {
     const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved, dt) : std::vector<double>{};
     std::optional<Restitution> restitution;
     if (plan_.restitution) restitution.emplace(model_, contacts_);
-    accept(std::move(moved), scheme, d, contacts_at_start(attempt.vertex_before(), attempt.ahead_before(), dt));
+    const double gained = accept(std::move(moved), scheme, d, contacts_at_start(attempt.vertex_before(), attempt.ahead_before(), dt), start);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
-    if (start && energies().own() - start->own() > most_gain * start->stored()) {
+    if (changes && start && !regretted && gained > most_gain * start->stored()) {
       step_size_.regret(dt * attempt.ahead_before() / scheme.bond_ahead);
       regretted = true;
       ++totals_.cuts;
       continue;
     }
+    if (gained > 0 && plan_.gravity) weigh_nearer(model_, gained);
     count(result);
     attempt.keep();
     if (fracture_) {
@@ -419,12 +421,13 @@ std::optional<ContactBooking> Stepper::contacts_at_start(const std::vector<Vec2>
   return ContactBooking(model_, vertex_before, ahead_before, dt);
 }
 
-void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking) {
+double Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,
+                       const std::optional<Energies>& start) {
   PartTimer timer(totals_, "update");
   const bool motion = scheme.step_v > 0;
   if (motion && !booking) {
     ledger_.ahead = scheme.bond_ahead;
-    return;
+    return 0;
   }
   if (motion)  // nothing of it is work
     for (size_t b = 0; b < moved.size(); ++b)
@@ -439,10 +442,13 @@ void Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const 
     islands_.store(model_, contacts_, d, motion);
     if (motion) booking->book(model_, contacts_.rows(), scheme, d, ledger_);
   }
-  if (motion && plan_.gravity) weigh(model_, moved, scheme, ledger_.friction_work + ledger_.viscous_work - dissipated);
   ledger_.ahead = scheme.bond_ahead;
+  double gained = start ? energies().own() - start->own() : 0;
+  if (motion && plan_.gravity)
+    gained += weigh(model_, scheme, start ? -gained : least_loss(model_, moved, scheme, ledger_.friction_work + ledger_.viscous_work - dissipated));
   if (plan_.bonds && (!motion || !fracture_)) joints_.store_tractions(model_);  // else they are, to be judged
   if (fracture_ && !motion) bridges_.store_tractions(model_);
+  return gained;
 }
 
 std::vector<Vec2> Stepper::reactions() {

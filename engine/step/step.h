@@ -108,7 +108,9 @@ class Stepper {
   // For the ledger; none where nothing has moved in the step, and nothing did before it. As the attempt has them from before the step was changed.
   std::optional<ContactBooking> contacts_at_start(const std::vector<Vec2>& vertex_before, double ahead_before, double dt);
   // `booking`: of a step in motion; without it such a step has nothing to book.
-  void accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking = {});
+  // Returns what the step has added to the energy it began with, where that is given.
+  double accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking = {},
+                const std::optional<Energies>& start = {});
   [[noreturn]] void give_up(const OpenCloseResult& result, double dt, int crushed = -1) const;
   int culprit(const Equilibrium& search) const;  // the block that is named when there is no equilibrium
 

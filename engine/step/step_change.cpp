@@ -73,29 +73,30 @@ void move_whole(const BlockShape& shape, double seconds, BlockState& state) {
   state.weighed_ahead -= seconds;
 }
 
-// Of a block's length. What is pressed and moves no farther than that as the step changes, as all do that it presses on, is as good as at rest:
+// Of a block's length; the smaller one where a contact slides, which would fall behind. What is pressed and moves no farther than that as the step changes, as all do that it presses on, is as good as at rest:
 // what its contacts hold counts more than where it flies.
-constexpr double as_at_rest = 1e-6;
+constexpr double as_at_rest = 1e-4, as_at_rest_sliding = 1e-6;
 
-bool slow(const BlockShape& shape, const BlockState& state, double seconds) {
+bool slow(const BlockShape& shape, const BlockState& state, double seconds, double part) {
   const auto& v = state.velocity;
-  return std::abs(seconds) * (std::hypot(v[0], v[1]) + std::abs(v[2]) * shape.radius / shape.length) <= as_at_rest * shape.length;
+  return std::abs(seconds) * (std::hypot(v[0], v[1]) + std::abs(v[2]) * shape.radius / shape.length) <= part * shape.length;
 }
 
 // Per body, whether it lies on something, slow as above in all its blocks and in all that press on each other with it: one that keeps y beside
 // one that does not would have their contact pressed by what the one moves.
 std::vector<bool> find_lying(const Model& model, double seconds, const std::vector<int>& body_of) {
-  std::vector<bool> pressed(model.blocks.size()), fast(model.blocks.size());
+  std::vector<bool> pressed(model.blocks.size()), slides(model.blocks.size()), fast(model.blocks.size());
   DisjointSets heaps(model.blocks.size());
   for (size_t k = size_t(model.sleeping_contacts); k < model.contacts.size(); ++k) {
     const Contact& c = model.contacts[k];
     if (c.normal_force <= 0) continue;
     const int a = body_of[size_t(c.i)], b = body_of[size_t(c.j)];
     pressed[size_t(a)] = pressed[size_t(b)] = true;
+    if (c.state == ContactState::slip) slides[size_t(a)] = slides[size_t(b)] = true;
     if (model.shapes[size_t(c.i)].dofs > 0 && model.shapes[size_t(c.j)].dofs > 0) heaps.join(a, b);
   }
   for (size_t b = 0; b < model.blocks.size(); ++b)
-    if (!slow(model.shapes[b], model.blocks[b], seconds)) fast[size_t(heaps.root(body_of[b]))] = true;
+    if (!slow(model.shapes[b], model.blocks[b], seconds, slides[size_t(body_of[b])] ? as_at_rest_sliding : as_at_rest)) fast[size_t(heaps.root(body_of[b]))] = true;
   std::vector<bool> lying(model.blocks.size());
   for (size_t body = 0; body < lying.size(); ++body) lying[body] = pressed[body] && !fast[size_t(heaps.root(int(body)))];
   return lying;
