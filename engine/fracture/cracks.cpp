@@ -7,22 +7,6 @@
 
 namespace talus {
 
-namespace {
-
-// 0, 1, … in order of first appearance; those without a set keep -1.
-std::vector<int> counted(std::vector<int> set) {
-  std::vector<int> number(set.size(), -1);
-  int next = 0;
-  for (int& s : set) {
-    if (s < 0) continue;
-    if (number[s] < 0) number[s] = next++;
-    s = number[s];
-  }
-  return set;
-}
-
-}  // namespace
-
 std::vector<int> cracks_at_nodes(const Model& model) {
   std::vector<int> crack(model.nodes.position.size(), -1);
   DisjointSets sets(crack.size());
@@ -46,15 +30,6 @@ const char* crack_word(CrackKind kind) {
 CrackKind crack_kind(const std::vector<int>& crack_at_node, const Joint& joint) {
   const int touched = (crack_at_node[joint.node[0]] >= 0) + (crack_at_node[joint.node[1]] >= 0);
   return touched == 0 ? CrackKind::initiated : touched == 1 ? CrackKind::propagated : CrackKind::coalesced;
-}
-
-std::vector<int> find_fragments(const Model& model) {
-  DisjointSets sets(model.shapes.size());
-  for (const Joint& joint : model.joints)
-    if (joint.state == JointState::intact) sets.join(joint.a, joint.b);
-  std::vector<int> fragment(model.shapes.size());
-  for (std::size_t b = 0; b < fragment.size(); ++b) fragment[b] = sets.root(int(b));
-  return counted(std::move(fragment));
 }
 
 double Fragment::size() const { return std::sqrt(4 * area / std::numbers::pi); }

@@ -3,7 +3,7 @@
 // blocks that hang together by intact bonds.
 #include <vector>
 
-#include "model/model.h"
+#include "model/fragments.h"
 
 namespace talus {
 
@@ -15,9 +15,6 @@ const char* crack_word(CrackKind kind);      // "none", "initiated", "propagated
 
 // What a bond that fails now is to the cracks there are.
 CrackKind crack_kind(const std::vector<int>& crack_at_node, const Joint& joint);
-
-// Per block: the number of its fragment, counted by their first blocks.
-std::vector<int> find_fragments(const Model& model);
 
 struct Fragment {
   int blocks = 0, first = 0;  // how many; the first of them

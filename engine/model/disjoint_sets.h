@@ -23,4 +23,16 @@ class DisjointSets {
   std::vector<int> parent_;
 };
 
+// Sets by their members 0, 1, … in order of first appearance; what is in none keeps -1.
+inline std::vector<int> counted(std::vector<int> set) {
+  std::vector<int> number(set.size(), -1);
+  int next = 0;
+  for (int& s : set) {
+    if (s < 0) continue;
+    if (number[std::size_t(s)] < 0) number[std::size_t(s)] = next++;
+    s = number[std::size_t(s)];
+  }
+  return set;
+}
+
 }  // namespace talus

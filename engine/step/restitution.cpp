@@ -43,7 +43,7 @@ double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(
 // Of a model whose blocks keep their places and bonds.
 class Bodies {
  public:
-  explicit Bodies(const Model& model) : model_(model), of_(find_fragments(model)) {
+  explicit Bodies(const Model& model) : model_(model), of_(model.fragment.empty() ? find_fragments(model) : model.fragment) {
     for (const Fragment& fragment : fragments(model)) {
       Body& body = bodies_.emplace_back();
       body.centroid = fragment.centroid;

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "equations/block_terms.h"
-#include "fracture/cracks.h"
 #include "model/disjoint_sets.h"
+#include "model/fragments.h"
 
 namespace talus {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fracture/cracks.h"
+#include "model/fragments.h"
 
 namespace talus {
 

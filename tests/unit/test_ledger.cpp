@@ -212,21 +212,27 @@ TEST(Ledger, StaticLoadsGrowFromNothing) {
 }
 
 // What lies on something and hardly moves keeps y where the step changes, so that its contacts and its weight hold what they held; what
-// moves faster, and what flies, keeps X.
+// moves faster, the sooner where it slides, and what flies, keeps X.
 TEST(Ledger, AStepOfAnotherLengthKeepsWhatPressedContactsHold) {
   Simulation simulation(on_floor(0.3, {0, 0}, 0));
   simulation.step();
   Model& model = simulation.model;
   ASSERT_GT(model.contacts[0].normal_force, 0);
-  const auto moved = [&](double velocity, double force) {
-    for (Contact& c : model.contacts) c.normal_force = force;
+  const auto moved = [&](double velocity, double force, ContactState state = ContactState::stick) {
+    for (Contact& c : model.contacts) {
+      c.normal_force = force;
+      c.state = state;
+    }
     model.blocks[0].velocity = {0, velocity, velocity};
     const BlockState kept = keep_stored(model, -0.01)[0];
     return std::pair(kept.shift.y() - model.blocks[0].shift.y(), kept.angle - model.blocks[0].angle);
   };
   EXPECT_NEAR(moved(1e-5, 1).first, -1e-7, 1e-20);
   EXPECT_NEAR(moved(1e-5, 1).second, -1e-7, 1e-20);
-  EXPECT_EQ(moved(1e-3, 1).first, 0);
+  EXPECT_NEAR(moved(1e-3, 1).first, -1e-5, 1e-18);
+  EXPECT_EQ(moved(1e-1, 1).first, 0);
+  EXPECT_NEAR(moved(1e-5, 1, ContactState::slip).first, -1e-7, 1e-20);
+  EXPECT_EQ(moved(1e-3, 1, ContactState::slip).first, 0);
   EXPECT_EQ(moved(1e-5, 0).first, 0);
 }
 
