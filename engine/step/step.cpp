@@ -113,7 +113,8 @@ StepReport Stepper::dynamic_step(double most) {
     // Another step than the last: y stays, as far as bodies deform or lie on something.
     std::optional<Energies> start;
     const bool changes = scheme.bond_ahead != ledger_.ahead;
-    if (plan_.contacts && !fracture_ && ledger_.ahead > 0 && (changes || weighed_late(model_, scheme))) start = energies();
+    weighed_late_ = weighed_late_ || changes;
+    if (plan_.contacts && !fracture_ && ledger_.ahead > 0 && changes) start = energies();
     if (changes) {
       attempt.keep_places();
       change_step(scheme.bond_ahead);
@@ -193,11 +194,14 @@ StepReport Stepper::dynamic_step(double most) {
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
     if (changes && start && !regretted && gained > most_gain * start->stored()) {
       step_size_.regret(dt * attempt.ahead_before() / scheme.bond_ahead);
-      regretted = true;
+      regretted = weighed_late_ = true;
       ++totals_.cuts;
       continue;
     }
-    if (gained > 0 && plan_.gravity) weigh_nearer(model_, gained);
+    if (start && gained > 0 && plan_.gravity) {
+      weigh_nearer(model_, gained);
+      weighed_late_ = true;
+    }
     count(result);
     attempt.keep();
     if (fracture_) {
@@ -227,16 +231,20 @@ void Stepper::visit_state(StateVisitor& visitor) {
   visitor("islands", islands_);
   visitor("short_increments", short_increments_);
   visitor("pace", pace_);
+  visitor("weighed_late", weighed_late_);
   if (gas_) visitor("gas", *gas_);
 }
 
 void Stepper::restored() {
   revision_ = -1;
   if (!model_.scene.numerics.sleeping) model_.changed();  // the state may be of a run that let things sleep
+  const bool late = weighed_late_;
   rewound();
+  weighed_late_ = late;
 }
 
 void Stepper::rewound() {
+  weighed_late_ = true;
   search_.forget();
   sleep_.restored();
   if (fracture_) {
@@ -444,8 +452,10 @@ double Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, cons
   }
   ledger_.ahead = scheme.bond_ahead;
   double gained = start ? energies().own() - start->own() : 0;
-  if (motion && plan_.gravity)
+  if (motion && plan_.gravity && weighed_late_) {
     gained += weigh(model_, scheme, start ? -gained : least_loss(model_, moved, scheme, ledger_.friction_work + ledger_.viscous_work - dissipated));
+    weighed_late_ = weighed_late(model_, scheme);
+  }
   if (plan_.bonds && (!motion || !fracture_)) joints_.store_tractions(model_);  // else they are, to be judged
   if (fracture_ && !motion) bridges_.store_tractions(model_);
   return gained;

@@ -140,6 +140,7 @@ class Stepper {
   double pace_ = 0;           // 1/s, at which utilisations came up with the last of them
   long revision_ = -1;
   double split_anew_ = 0;  // IslandResult's, of an attempt at a step
+  bool weighed_late_ = true;  // some block is not weighed at y, or may not be
   double effort_ = 0;  // of the solves of an attempt at a step, in factors
   double released_ = 0;  // J/m, that bonds stored which have failed in an attempt, and their blocks through them
 };

@@ -68,8 +68,10 @@ double largest_displacement(const Model& model, const std::vector<BlockState>& m
 int crushed_block(const Model& model, const std::vector<BlockState>& moved) {
   constexpr double least = 0.1;  // of the area
   const auto left = [](const Vec3& e) { return (1 + e[0]) * (1 + e[1]) - e[2] * e[2] / 4; };
-  for (size_t b = 0; b < moved.size(); ++b)
+  for (size_t b = 0; b < moved.size(); ++b) {
+    if (model.sleeps(int(b))) continue;
     if (const double now = left(moved[b].strain); now < least && now < left(model.blocks[b].strain)) return int(b);
+  }
   return -1;
 }
 
