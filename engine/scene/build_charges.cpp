@@ -35,7 +35,7 @@ void add_loose(const Model& model, const Hole& hole, const std::vector<FreeEdge>
     wall.outlines.push_back(wall.edges.size());
     while (edge) {
       wall.edges.push_back({edge->block, edge->edge});
-      taken += perp(edge->from - wall.centre).dot(edge->to - wall.centre) / 2;
+      taken += cross(edge->from - wall.centre, edge->to - wall.centre) / 2;
       const auto erased = [&](const auto& entry) { return entry.second == edge; };
       const auto own = from.equal_range(key(edge->from));
       from.erase(std::find_if(own.first, own.second, erased));

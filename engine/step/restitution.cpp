@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
-#include "equations/block_terms.h"
-#include "fracture/cracks.h"
+#include "step/bodies.h"
 #include "step/energies.h"
 
 namespace talus {
@@ -14,14 +14,6 @@ namespace {
 
 constexpr int most_sweeps = 200;     // two contacts of a face take some twenty
 constexpr double settled = 1e-12;    // of the fastest parting
-
-// Blocks that bonds hold together, taken as one rigid body: an impulse on one of them alone would only strain its bonds.
-struct Body {
-  std::vector<int> blocks;
-  bool moves = true;
-  Vec2 centroid = Vec2::Zero(), velocity = Vec2::Zero();  // m, m/s: means
-  double mass = 0, inertia = 0, spin = 0;                 // kg/m, kg m, rad/s
-};
 
 struct Opened {
   int i = 0, j = 0;
@@ -38,42 +30,36 @@ Row rigid(const Row& of) {
   return own;
 }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-// Of a model whose blocks keep their places and bonds.
+// An impulse on one of the blocks that bonds hold together would only strain its bonds: it moves all of them. Of a model whose blocks keep
+// their places and bonds.
 class Bodies {
  public:
-  explicit Bodies(const Model& model) : model_(model), of_(model.fragment.empty() ? find_fragments(model) : model.fragment) {
-    for (const Fragment& fragment : fragments(model)) {
-      Body& body = bodies_.emplace_back();
-      body.centroid = fragment.centroid;
-      body.velocity = fragment.velocity;
+  explicit Bodies(const Model& model)
+      : model_(model), of_(bodies_in(model)), bodies_(bodies_of(model, model.blocks, of_)), blocks_(bodies_.size()), moves_(bodies_.size(), true) {
+    for (size_t b = 0; b < of_.size(); ++b) {
+      blocks_[size_t(of_[b])].push_back(int(b));
+      if (model.shapes[b].dofs == 0 || model.sleeps(int(b))) moves_[size_t(of_[b])] = false;
     }
-    for (size_t b = 0; b < of_.size(); ++b) add(int(b));
     for (const PointFixity& point : model.point_fixities) support(point.block);
     for (const EdgeFixity& edge : model.edge_fixities) support(edge.block);
-    for (Body& body : bodies_) body.spin /= body.inertia;
   }
-  const Body& of(int block) const { return bodies_[size_t(of_[size_t(block)])]; }
+  int body(int block) const { return of_[size_t(block)]; }
+  const Body& of(int block) const { return bodies_[size_t(body(block))]; }
+  const std::vector<int>& blocks(int body) const { return blocks_[size_t(body)]; }
 
   // m/s, along the row of a block.
-  double rate(int block, const Row& row) const {
-    const Body& body = of(block);
-    return way(row).dot(body.velocity) + body.spin * moment(block, row);
-  }
+  double rate(int block, const Row& row) const { return way(row).dot(of(block).velocity) + of(block).spin * moment(block, row); }
   // m/s by a unit of impulse along it.
   double mobility(int block, const Row& row) const {
-    const Body& body = of(block);
     const double turn = moment(block, row);
-    return body.moves ? way(row).squaredNorm() / body.mass + turn * turn / body.inertia : 0;
+    return moves_[size_t(body(block))] ? way(row).squaredNorm() / of(block).mass + turn * turn / of(block).inertia : 0;
   }
   void push(int block, const Row& row, double impulse) {
+    if (!moves_[size_t(body(block))]) return;
     Body& body = bodies_[size_t(of_[size_t(block)])];
-    if (!body.moves) return;
     body.velocity += impulse / body.mass * way(row);
     body.spin += impulse * moment(block, row) / body.inertia;
   }
-
   bool pushed(const Bodies& before, int block) const { return of(block).velocity != before.of(block).velocity || of(block).spin != before.of(block).spin; }
 
  private:
@@ -82,29 +68,18 @@ class Bodies {
     return cross(model_.blocks[size_t(block)].centroid - of(block).centroid, way(row)) + row[2] * model_.shapes[size_t(block)].length;
   }
   void support(int block) {  // bonded blocks would strain it
-    Body& body = bodies_[size_t(of_[size_t(block)])];
-    body.moves = body.moves && body.blocks.size() == 1;
-  }
-  void add(int b) {
-    Body& body = bodies_[size_t(of_[size_t(b)])];
-    const BlockState& state = model_.blocks[size_t(b)];
-    const Vec2 arm = state.centroid - body.centroid;
-    const double length = model_.shapes[size_t(b)].length, mass = model_.mass(b),
-                 own = length * length * moment_of_inertia(model_, b, state.strain, state.bend);
-    body.blocks.push_back(b);
-    body.moves = body.moves && model_.shapes[size_t(b)].dofs > 0 && !model_.sleeps(b);
-    body.mass += mass;
-    body.inertia += own + mass * arm.squaredNorm();
-    body.spin += own * state.velocity[2] / length + mass * cross(arm, Vec2(state.velocity[0], state.velocity[1]));
+    if (blocks(body(block)).size() > 1) moves_[size_t(body(block))] = false;
   }
 
   const Model& model_;
   std::vector<int> of_;
   std::vector<Body> bodies_;
+  std::vector<std::vector<int>> blocks_;  // of bodies_
+  std::vector<bool> moves_;
 };
 
 double parting(const Bodies& bodies, int i, const Row& of_i, int j, const Row& of_j) {
-  return &bodies.of(i) == &bodies.of(j) ? 0 : bodies.rate(i, of_i) + bodies.rate(j, of_j);
+  return bodies.body(i) == bodies.body(j) ? 0 : bodies.rate(i, of_i) + bodies.rate(j, of_j);
 }
 
 // Gauss–Seidel over impulses that only hold back.
@@ -126,22 +101,20 @@ void hold_back(Bodies& bodies, std::vector<Opened>& opened) {
 
 // What the bodies of opened contacts have changed by. Returns the kinetic energy that it took, J/m.
 double move_with(const Bodies& bodies, const Bodies& before, const std::vector<Opened>& opened, Model& model) {
-  std::vector<const Body*> pushed;
-  for (const Opened& contact : opened) pushed.insert(pushed.end(), {&bodies.of(contact.i), &bodies.of(contact.j)});
-  std::sort(pushed.begin(), pushed.end());
-  pushed.erase(std::unique(pushed.begin(), pushed.end()), pushed.end());
+  std::set<int> pushed;
+  for (const Opened& contact : opened) pushed.insert({bodies.body(contact.i), bodies.body(contact.j)});
   double taken = 0;
-  for (const Body* body : pushed) {
-    const Body& was = before.of(body->blocks[0]);
-    const Vec2 faster = body->velocity - was.velocity;
-    const double spins = body->spin - was.spin;
-    for (const int b : body->blocks) {
+  for (const int body : pushed) {
+    const int first = bodies.blocks(body)[0];
+    const Body &is = bodies.of(first), &was = before.of(first);
+    const double faster = is.spin - was.spin;
+    for (const int b : bodies.blocks(body)) {
       BlockState& state = model.blocks[size_t(b)];
       taken += kinetic_energy(model, b, 0);
-      const Vec2 arm = state.centroid - body->centroid;
-      state.velocity[0] += faster.x() - spins * arm.y();
-      state.velocity[1] += faster.y() + spins * arm.x();
-      state.velocity[2] += spins * model.shapes[size_t(b)].length;
+      const Vec2 change = is.velocity - was.velocity + faster * perp(Vec2(state.centroid - is.centroid));
+      state.velocity[0] += change.x();
+      state.velocity[1] += change.y();
+      state.velocity[2] += faster * model.shapes[size_t(b)].length;
       taken -= kinetic_energy(model, b, 0);
     }
   }

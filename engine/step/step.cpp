@@ -192,7 +192,7 @@ StepReport Stepper::dynamic_step(double most) {
     if (plan_.restitution) restitution.emplace(model_, contacts_);
     const double gained = accept(std::move(moved), scheme, d, contacts_at_start(attempt.vertex_before(), attempt.ahead_before(), dt), start);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
-    if (changes && start && !regretted && gained > most_gain * start->stored()) {
+    if (start && !regretted && gained > most_gain * start->stored()) {
       step_size_.regret(dt * attempt.ahead_before() / scheme.bond_ahead);
       regretted = weighed_late_ = true;
       ++totals_.cuts;

@@ -1,57 +1,17 @@
 #include "step/step_change.h"
 
 #include <cmath>
-#include <numeric>
 
 #include "equations/block_terms.h"
 #include "model/disjoint_sets.h"
-#include "model/fragments.h"
+#include "step/bodies.h"
 
 namespace talus {
 
 namespace {
 
-struct Body {
-  double mass = 0, inertia = 0;        // kg/m, kg m
-  Vec2 centroid = Vec2::Zero(), velocity = Vec2::Zero();
-  double spin = 0;                     // rad/s
-  bool held = false;                   // by a held block or along an edge, or it lies on something: it does not fly
-  void hold() { held = true, velocity.setZero(), spin = 0; }
-};
-
 double own_inertia(const Model& model, int b, const BlockState& state) {
   return moment_of_inertia(model, b, state.strain, state.bend);
-}
-
-// What hangs together by bonds. `body_of`: per block.
-std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& blocks, const std::vector<int>& body_of) {
-  std::vector<Body> bodies;
-  for (size_t b = 0; b < blocks.size(); ++b) {
-    if (body_of[b] >= int(bodies.size())) bodies.resize(size_t(body_of[b]) + 1);
-    Body& body = bodies[size_t(body_of[b])];
-    const double mass = model.mass(int(b));
-    body.held = body.held || model.shapes[b].dofs == 0;
-    body.mass += mass;
-    body.centroid += mass * blocks[b].centroid;
-    body.velocity += mass * Vec2(blocks[b].velocity[0], blocks[b].velocity[1]);
-  }
-  for (Body& body : bodies) {
-    body.centroid /= body.mass;
-    body.velocity /= body.mass;
-  }
-  for (size_t b = 0; b < blocks.size(); ++b) {
-    Body& body = bodies[size_t(body_of[b])];
-    const BlockState& state = blocks[b];
-    const Vec2 arm = state.centroid - body.centroid, v(state.velocity[0], state.velocity[1]);
-    const double mass = model.mass(int(b)), own = own_inertia(model, int(b), state);
-    body.spin += mass * cross(arm, Vec2(v - body.velocity)) + own * state.velocity[2] / model.shapes[b].length;
-    body.inertia += own + mass * arm.squaredNorm();
-  }
-  for (Body& body : bodies) body.spin /= body.inertia;
-  for (const EdgeFixity& edge : model.edge_fixities) bodies[size_t(body_of[size_t(edge.block)])].held = true;
-  for (Body& body : bodies)
-    if (body.held) body.hold();
-  return bodies;
 }
 
 void deform(const BlockShape& shape, double seconds, BlockState& state) {
@@ -102,18 +62,25 @@ std::vector<bool> find_lying(const Model& model, double seconds, const std::vect
   return lying;
 }
 
+// Per body, whether it does not fly: by a held block or along an edge, or as it lies on something.
+std::vector<bool> find_held(const Model& model, const std::vector<int>& body_of, std::vector<bool> lying) {
+  for (size_t b = 0; b < body_of.size(); ++b)
+    if (model.shapes[b].dofs == 0) lying[size_t(body_of[b])] = true;
+  for (const EdgeFixity& edge : model.edge_fixities) lying[size_t(body_of[size_t(edge.block)])] = true;
+  return lying;
+}
+
 // Blocks of bodies against each other. What has moved outwards turns more slowly.
 void move_apart(const Model& model, double seconds, const std::vector<int>& body_of, const std::vector<bool>& lying,
                 std::vector<BlockState>& blocks) {
-  std::vector<Body> before = bodies_of(model, model.blocks, body_of);
-  for (size_t body = 0; body < before.size(); ++body)
-    if (lying[body]) before[body].hold();
+  const std::vector<Body> before = bodies_of(model, model.blocks, body_of);
+  const std::vector<bool> held = find_held(model, body_of, lying);
   for (size_t b = 0; b < blocks.size(); ++b) {
     const BlockShape& shape = model.shapes[b];
     const Body& body = before[size_t(body_of[b])];
     if (shape.dofs == 0 || model.sleeps(int(b))) continue;
     BlockState& state = blocks[b];
-    if (body.held) {
+    if (held[size_t(body_of[b])]) {
       move_whole(shape, seconds, state);
       continue;
     }
@@ -124,20 +91,13 @@ void move_apart(const Model& model, double seconds, const std::vector<int>& body
   const std::vector<Body> after = bodies_of(model, blocks, body_of);
   for (size_t b = 0; b < blocks.size(); ++b) {
     const Body &was = before[size_t(body_of[b])], &is = after[size_t(body_of[b])];
-    if (model.shapes[b].dofs == 0 || model.sleeps(int(b)) || was.held) continue;
+    if (model.shapes[b].dofs == 0 || model.sleeps(int(b)) || held[size_t(body_of[b])]) continue;
     const double faster = was.spin * was.inertia / is.inertia - is.spin;
     const Vec2 turn = faster * perp(Vec2(blocks[b].centroid - is.centroid));
     blocks[b].velocity[0] += turn.x();
     blocks[b].velocity[1] += turn.y();
     blocks[b].velocity[2] += faster * model.shapes[b].length;
   }
-}
-
-std::vector<int> bodies_in(const Model& model) {
-  if (!model.joints.empty()) return model.fragment.empty() ? find_fragments(model) : model.fragment;
-  std::vector<int> each(model.blocks.size());
-  std::iota(each.begin(), each.end(), 0);
-  return each;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace talus {
 
 // Steps look at y = X + (θ-½)Δt v (theory, § 2). Where Δt changes, so that y would lie `seconds` less along the velocities, what
 // blocks, bonds and contacts store there would change with it. The same model with X moved so that y stays: as far as bodies deform,
-// blocks that hang together by bonds; and altogether what lies on something and moves by less than 1e-6 of its size. How all else
+// blocks that hang together by bonds; and altogether what lies on something and moves by less than 1e-4 of its size (1e-6 where it slides). How all else
 // flies and turns as a whole is left as it is, and momenta are kept.
 std::vector<BlockState> keep_stored(const Model& model, double seconds);
 

@@ -7,6 +7,7 @@
 #include "small_scene.h"
 #include "step/energy_terms.h"
 #include "step/simulation.h"
+#include "step/bodies.h"
 #include "step/step_change.h"
 
 namespace talus {
@@ -209,6 +210,16 @@ TEST(Ledger, StaticLoadsGrowFromNothing) {
               1e-6);  // ½ F (F l / E A); the support keeps its end from thinning: a little less
   EXPECT_NEAR(e.strain, e.external, 1e-4 * e.external);
   EXPECT_NEAR(e.unexplained, 0, 1e-4 * e.external);
+}
+
+// m (a² + b²)/12 of a plate of any size, and the spin of a plate that turns.
+TEST(Bodies, HaveTheMomentOfInertiaOfTheirMass) {
+  Simulation simulation(test::scene_of({test::region("plate", rectangle(0, 0, 0.2, 0.1))}));
+  Model& model = simulation.model;
+  model.blocks[0].velocity[2] = 3 * model.shapes[0].length;
+  const Body body = bodies_of(model, model.blocks, bodies_in(model))[0];
+  EXPECT_NEAR(body.inertia, model.mass(0) * (0.04 + 0.01) / 12, 1e-12 * body.inertia);
+  EXPECT_NEAR(body.spin, 3, 1e-12);
 }
 
 // What lies on something and hardly moves keeps y where the step changes, so that its contacts and its weight hold what they held; what

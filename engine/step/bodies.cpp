@@ -1,0 +1,44 @@
+#include "step/bodies.h"
+
+#include <numeric>
+
+#include "equations/block_terms.h"
+#include "model/fragments.h"
+
+namespace talus {
+
+std::vector<int> bodies_in(const Model& model) {
+  if (!model.joints.empty()) return model.fragment.empty() ? find_fragments(model) : model.fragment;
+  std::vector<int> each(model.blocks.size());
+  std::iota(each.begin(), each.end(), 0);
+  return each;
+}
+
+std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& blocks, const std::vector<int>& body_of) {
+  std::vector<Body> bodies;
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    if (body_of[b] >= int(bodies.size())) bodies.resize(size_t(body_of[b]) + 1);
+    Body& body = bodies[size_t(body_of[b])];
+    const double mass = model.mass(int(b));
+    body.mass += mass;
+    body.centroid += mass * blocks[b].centroid;
+    body.velocity += mass * Vec2(blocks[b].velocity[0], blocks[b].velocity[1]);
+  }
+  for (Body& body : bodies) {
+    body.centroid /= body.mass;
+    body.velocity /= body.mass;
+  }
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    Body& body = bodies[size_t(body_of[b])];
+    const BlockState& state = blocks[b];
+    const Vec2 arm = state.centroid - body.centroid, v(state.velocity[0], state.velocity[1]);
+    const double length = model.shapes[b].length, mass = model.mass(int(b)),
+                 own = length * length * moment_of_inertia(model, int(b), state.strain, state.bend);
+    body.spin += mass * cross(arm, Vec2(v - body.velocity)) + own * state.velocity[2] / length;
+    body.inertia += own + mass * arm.squaredNorm();
+  }
+  for (Body& body : bodies) body.spin /= body.inertia;
+  return bodies;
+}
+
+}  // namespace talus

@@ -1,0 +1,21 @@
+#pragma once
+// Blocks that hang together by bonds, each taken as one rigid body.
+#include <vector>
+
+#include "model/model.h"
+
+namespace talus {
+
+// Means of the mass of its blocks.
+struct Body {
+  double mass = 0, inertia = 0;                           // kg/m, kg m about the centroid
+  Vec2 centroid = Vec2::Zero(), velocity = Vec2::Zero();  // m, m/s
+  double spin = 0;                                        // rad/s
+};
+
+// Per block: which body it is part of.
+std::vector<int> bodies_in(const Model& model);
+// As they are in `blocks`.
+std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& blocks, const std::vector<int>& body_of);
+
+}  // namespace talus
