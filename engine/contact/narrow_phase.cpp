@@ -1,11 +1,13 @@
 #include "contact/narrow_phase.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "contact/detection.h"
+#include "contact/way_out.h"
 
 namespace talus {
 
@@ -389,27 +391,19 @@ void drop_twins(const Pair& pair, size_t first, std::vector<Contact>& found) {
 }
 
 // Where blocks lie in each other and none of these contacts is as deep, as with thin tips that have gone through each other, they stand by the
-// face that is to be left by the shortest way: of convex polygons one of all faces separates them, or the one they are least deep below.
+// face that is to be left by the shortest way.
 void least_deep(const Pair& pair, const Model& model, size_t first, std::vector<Contact>& found) {
   if (!pair.both_convex()) return;
-  struct {
-    int bv = -1, v = 0, be = 0, e = 0;
-    double gap = -std::numeric_limits<double>::infinity();
-  } least;
-  for (const auto& [bv, be] : {std::pair(pair.i(), pair.j()), {pair.j(), pair.i()}})
-    for (int e = 0; e < model.vertex_count(be); ++e) {
-      const Face& face = pair.edge(be, e);
-      int deepest = 0;
-      for (int v = 1; v < model.vertex_count(bv); ++v)
-        if (face.gap(pair.vertex(bv, v)) < face.gap(pair.vertex(bv, deepest))) deepest = v;
-      const double gap = face.gap(pair.vertex(bv, deepest));
-      if (gap >= -pair.meeting()) return;
-      if (gap > least.gap) least = {bv, deepest, be, e, gap};
-    }
-  const auto knows = [&](const Contact& c) { return c.gap <= known_part * least.gap; };
+  const std::array blocks{pair.i(), pair.j()};
+  const auto out = way_out({model.vertex_count(blocks[0]), model.vertex_count(blocks[1])}, pair.meeting(), [&](int of, int face, int corner) {
+    return pair.edge(blocks[size_t(of)], face).gap(pair.vertex(blocks[size_t(1 - of)], corner));
+  });
+  if (!out) return;
+  const auto knows = [&](const Contact& c) { return c.gap <= known_part * out->gap; };
   if (std::any_of(found.begin() + long(first), found.end(), knows)) return;
-  if (pair.free(least.be, least.e) && pair.on_outline(least.bv, least.v))
-    found.push_back(pair.contact(least.bv, least.v, least.be, least.e, least.gap, true));
+  const int bv = blocks[size_t(1 - out->of)], be = blocks[size_t(out->of)];
+  if (pair.free(be, out->face) && pair.on_outline(bv, out->corner))
+    found.push_back(pair.contact(bv, out->corner, be, out->face, out->gap, true));
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 -- 35. Crushed rock: 1 GPa of gas in a hole breaks every bond round it within 50 microseconds and drives the triangles over each other, tip
--- by tip. No two blocks end up in each other by half their size.
--- Source: geometry. The bound is what is reached, not what there should be: in some meshes two blocks still overlap by 0.25 to 0.35.
+-- by tip. No two blocks come to overlap by more than a part of their size.
+-- Source: geometry, as in case 34.
 -- Ours: thin tips went through each other until neither had a face left that the other could rest on. Such a pair had no contact, went on
 -- into each other as far as their size, and every step that took it farther was halved, down to a microsecond: in 5 of 10 meshes more than
--- 1, in up to 4200 steps where 135 do.
--- Run: scripts/run tests/hard/35_crushed_rock.lua -p full=true     (quick: one mesh, to 2 ms: 1.1 before, 0.15 now)
+-- 1, in up to 4200 steps where 135 do. Then a contact was found for such a pair, but too late: tips that crossed like an X, no corner of one
+-- in the other, within a step, were not seen to overlap (0.34 in one of 11 meshes, up to 0.85 of older versions; 0.2 and more in 10 of 46).
+-- Run: scripts/run tests/hard/35_crushed_rock.lua -p full=true     (quick: one mesh that went wrong, to 2 ms)
 local talus = require "talus"
 local tools = require "tools"
 local u = talus.units
@@ -14,7 +15,7 @@ local rock = talus.material { name = "rock", density = 2600, young = 55*u.GPa, p
 local joint = talus.joint { name = "artificial", friction = 45*u.deg, cohesion = 2*u.MPa, tension = 0.5*u.MPa }
 local faces = talus.joint { name = "faces", friction = 45*u.deg }
 local deepest = 0
-for _, size in ipairs(full and { 0.1, 0.095, 0.09, 0.087, 0.083, 0.08, 0.073, 0.067, 0.064, 0.058, 0.05 } or { 0.083 }) do
+for _, size in ipairs(full and { 0.1, 0.095, 0.09, 0.087, 0.083, 0.08, 0.073, 0.067, 0.064, 0.058, 0.05 } or { 0.064 }) do
   local sim = talus.simulation {
     contact = faces,
     regions = {
@@ -30,4 +31,4 @@ for _, size in ipairs(full and { 0.1, 0.095, 0.09, 0.087, 0.083, 0.08, 0.073, 0.
   print(string.format("blocks of %g m at the hole: %d steps, %d cuts, deepest overlap %.3f", size, sim.totals.steps, sim.totals.cuts, most))
   deepest = math.max(deepest, most)
 end
-talus.check.below("crushed rock: deepest overlap over √area", deepest, 0.5)
+talus.check.below("crushed rock: deepest overlap over √area", deepest, 0.05)
