@@ -12,7 +12,7 @@ bool pushes(const Contact& c) { return c.normal_force != 0 || c.shear_force != 0
 }  // namespace
 
 Closure::Closure(const Model& model, const JointTerms& bonds, const std::vector<int>& joints)
-    : bonds_(bonds), vertex_(model.vertex), stored_(contact_energy(model)) {
+    : bonds_(bonds), vertex_(model.vertex), stored_(contact_energy(model.contacts)) {
   std::vector<char> fails(model.joints.size(), 0);
   for (const int j : joints) {
     fails[size_t(j)] = 1;
@@ -23,7 +23,7 @@ Closure::Closure(const Model& model, const JointTerms& bonds, const std::vector<
 }
 
 double Closure::work(const Model& model, double friction) const {
-  double sum = stored_ - contact_energy(model) - friction;
+  double sum = stored_ - contact_energy(model.contacts) - friction;
   for (const Before& before : before_) sum += of_bond(model, before);
   for (const auto& [c, force] : pushed_) sum -= force.dot(moved(model, c)) / 2;
   for (const Contact& c : model.contacts)

@@ -1,6 +1,7 @@
 #include "step/energies.h"
 
 #include <algorithm>
+#include <span>
 
 #include "equations/block_terms.h"
 #include "equations/bridge_terms.h"
@@ -16,11 +17,30 @@ BendArray bend_ahead(const BlockShape& shape, const BlockState& state, double se
   return bend;
 }
 
+// Of the blocks that sleep, or of those that do not.
+double strain_of_blocks(const Model& model, bool asleep, double ahead) {
+  std::vector<Mat3> elasticity_of;
+  for (const Material& material : model.scene.materials) elasticity_of.push_back(elasticity(material));
+  double sum = 0;
+  for (size_t b = 0; b < model.blocks.size(); ++b) {
+    if (model.sleeps(int(b)) != asleep) continue;
+    const BlockShape& shape = model.shapes[b];
+    if (shape.dofs <= rigid_dofs) continue;
+    const auto& v = model.blocks[b].velocity;
+    const Vec3 e = model.blocks[b].strain + ahead / shape.length * Vec3(v[3], v[4], v[5]);
+    sum += shape.area * e.dot(shape.initial_stress + elasticity_of[shape.material] * e / 2);
+    if (shape.second_order())
+      sum += bend_energy(model, int(b), Eigen::Map<const Vec6>(bend_ahead(shape, model.blocks[b], ahead).data()));
+  }
+  return sum;
+}
+
 }  // namespace
 
 double kinetic_energy(const Model& model, double ahead) {
   double sum = 0;
-  for (int b = 0; b < int(model.blocks.size()); ++b) sum += kinetic_energy(model, b, ahead);
+  for (int b = 0; b < int(model.blocks.size()); ++b)
+    if (!model.sleeps(b)) sum += kinetic_energy(model, b, ahead);
   return sum;
 }
 
@@ -41,19 +61,7 @@ double kinetic_energy(const Model& model, int b, double ahead) {
 }
 
 double strain_energy(const Model& model, const JointTerms& joints, const Supports& supports, double ahead) {
-  std::vector<Mat3> elasticity_of;
-  for (const Material& material : model.scene.materials) elasticity_of.push_back(elasticity(material));
-  double sum = 0;
-  for (size_t b = 0; b < model.blocks.size(); ++b) {
-    const BlockShape& shape = model.shapes[b];
-    if (shape.dofs <= rigid_dofs) continue;
-    const auto& v = model.blocks[b].velocity;
-    const Vec3 e = model.blocks[b].strain + ahead / shape.length * Vec3(v[3], v[4], v[5]);
-    sum += shape.area * e.dot(shape.initial_stress + elasticity_of[shape.material] * e / 2);
-    if (shape.second_order())
-      sum += bend_energy(model, int(b), Eigen::Map<const Vec6>(bend_ahead(shape, model.blocks[b], ahead).data()));
-  }
-  sum += model.added_strain_energy;
+  double sum = strain_of_blocks(model, false, ahead) + model.added_strain_energy;
   for (const Joint& joint : model.joints) sum += bridge_energy(joint);
   return sum + (model.joints.empty() ? 0 : joints.energy(model, ahead)) + supports.energy(model, ahead);
 }
@@ -69,16 +77,22 @@ double contact_energy(const Contact& c) {
          c.shear_force * c.shear_force / (2 * c.shear_stiffness);
 }
 
-double contact_energy(const Model& model) {
+double contact_energy(std::span<const Contact> contacts) {
   double sum = 0;
-  for (const Contact& c : model.contacts) sum += contact_energy(c);
+  for (const Contact& c : contacts) sum += contact_energy(c);
   return sum;
+}
+
+Asleep stored_asleep(const Model& model) {
+  const auto contacts = std::span(model.contacts).first(size_t(model.sleeping_contacts));
+  return {strain_of_blocks(model, true, 0), contact_energy(contacts),
+          int(std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.state != ContactState::open; }))};
 }
 
 double gravity_energy_ahead(const Model& model) {
   double sum = 0;
   for (size_t b = 0; b < model.blocks.size(); ++b)
-    if (model.shapes[b].dofs > 0) {
+    if (!model.sleeps(int(b)) && model.shapes[b].dofs > 0) {
       const auto& v = model.blocks[b].velocity;
       sum -= model.blocks[b].weighed_ahead * model.mass(int(b)) * model.scene.gravity.dot(Vec2(v[0], v[1]));
     }

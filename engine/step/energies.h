@@ -1,6 +1,8 @@
 #pragma once
 // The energies of the model's present state, J per metre of thickness. `ahead`: seconds along the present
 // velocities, to the places y at which the integrator's forces act (docs/theory.md, "Energy").
+#include <span>
+
 #include "equations/joint_terms.h"
 #include "equations/supports.h"
 
@@ -12,12 +14,19 @@ namespace talus {
 double kinetic_energy(const Model& model, double ahead);
 double kinetic_energy(const Model& model, int block, double ahead);
 
-// A (½ ε·Dε + σ0·ε) of the blocks, and the potentials of bonds and supports.
+// A (½ ε·Dε + σ0·ε) of the blocks that are awake, and the potentials of bonds and supports.
 double strain_energy(const Model& model, const JointTerms& joints, const Supports& supports, double ahead);
 
 Vec2 contact_push(const Model& model, const Contact& contact);  // N/m, on the corner
 double contact_energy(const Contact& contact);  // N²/2kn + T²/2ks
-double contact_energy(const Model& model);
+double contact_energy(std::span<const Contact> contacts);
+
+// What is asleep stores, and how many of its contacts are closed: it does not change while it sleeps.
+struct Asleep {
+  double strain = 0, contact = 0;  // J/m, strain of the blocks
+  int closed = 0;
+};
+Asleep stored_asleep(const Model& model);
 
 double gravity_energy_ahead(const Model& model);  // of the way from X to where blocks are weighed: -m g·v weighed_ahead
 

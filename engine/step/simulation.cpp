@@ -104,8 +104,7 @@ StepReport Simulation::take_step() {
   last.step = totals.steps;
   last.time = model.time;
   if (plan.dynamic) keep_peaks(model);
-  last.closed_contacts = int(std::count_if(model.contacts.begin(), model.contacts.end(),
-                                           [](const Contact& c) { return c.state != ContactState::open; }));
+  last.closed_contacts = stepper_->closed_contacts();
   for (const auto& handler : on_step) handler(*this);
   return last;
 }

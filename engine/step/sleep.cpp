@@ -118,6 +118,11 @@ int Sleep::groups(const Model& model) {
   return groups_;
 }
 
+const Asleep& Sleep::stored(const Model& model) {
+  take_stock(model);
+  return stored_;
+}
+
 void Sleep::take_stock(const Model& model) {
   if (seen_ == model.sleep_changes) return;
   seen_ = model.sleep_changes;
@@ -131,6 +136,7 @@ void Sleep::take_stock(const Model& model) {
     groups_ += model.asleep[b] == b + 1;  // a group bears the number of its first block
   }
   boxes_.fill(std::move(boxes));
+  stored_ = stored_asleep(model);
 }
 
 }  // namespace talus

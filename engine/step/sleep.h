@@ -9,6 +9,7 @@
 // - the script changes anything (Model::changed).
 #include "contact/box_grid.h"
 #include "model/state_visitor.h"
+#include "step/energies.h"
 #include "step/island_solver.h"
 
 namespace talus {
@@ -19,7 +20,8 @@ class Sleep {
   void wake(Model& model, const Scheme& scheme);
   // After an accepted step. near: pairs of blocks that came near each other in it.
   void fall_asleep(Model& model, const IslandSolver& islands, const std::vector<std::pair<int, int>>& near);
-  int groups(const Model& model);  // that sleep
+  int groups(const Model& model);            // that sleep
+  const Asleep& stored(const Model& model);  // in them
 
   template <class Visitor>  // of the registry, model/registry.h
   void visit_state(Visitor& visitor) {
@@ -37,6 +39,7 @@ class Sleep {
   std::vector<int> sleepers_;
   BoxGrid boxes_;  // of sleepers_
   int groups_ = 0;
+  Asleep stored_;
 };
 
 }  // namespace talus

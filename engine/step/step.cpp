@@ -489,10 +489,20 @@ void Stepper::begin_ledger() {
   ledger_.start_shift = -now.numerical;
 }
 
-double Stepper::elastic_energy(double ahead) const {
-  double sum = strain_energy(model_, joints_, supports_, ahead);
+double Stepper::elastic_energy(double ahead) {
+  double sum = strain_energy(model_, joints_, supports_, ahead) + sleep_.stored(model_).strain;
   for (const auto& term : terms) sum += term->energy(model_, ahead);
   return sum;
+}
+
+std::span<const Contact> Stepper::awake_contacts() const {
+  return std::span(model_.contacts).subspan(size_t(model_.sleeping_contacts));
+}
+
+int Stepper::closed_contacts() {
+  const auto awake = awake_contacts();
+  return sleep_.stored(model_).closed +
+         int(std::count_if(awake.begin(), awake.end(), [](const Contact& c) { return c.state != ContactState::open; }));
 }
 
 Energies Stepper::energies() {
@@ -502,7 +512,7 @@ Energies Stepper::energies() {
   e.kinetic = plan_.dynamic ? kinetic_energy(model_, ahead) : 0;
   e.strain = elastic_energy(ahead);
   if (!plan_.dynamic) e.strain += viscous_hold_energy(model_);
-  e.contact = contact_energy(model_);
+  e.contact = contact_energy(awake_contacts()) + sleep_.stored(model_).contact;
   e.gravity = gravity_ahead - ledger_.gravity_work;
   e.total = e.kinetic + e.strain + e.contact + e.gravity;
   e.external = ledger_.external_work;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,7 @@ class Stepper {
 
   void begin_ledger();  // the energies since the present state
   Energies energies();
+  int closed_contacts();
 
   // Called with what is about to be solved for contacts in a step of motion, at every attempt (tests/contact).
   std::function<void(const Scheme&, const System&, const ContactTerms&)> on_assembled;
@@ -95,7 +97,8 @@ class Stepper {
   void change_step(double ahead);
   void fail(const std::vector<int>& due, double time, bool motion);
   double contacts_of_events() const;
-  double elastic_energy(double ahead) const;
+  double elastic_energy(double ahead);
+  std::span<const Contact> awake_contacts() const;
   bool settled(const Scheme& scheme, const Vector& d);
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
   IslandResult solve(double dt, Vector& d);  // dt = 0: equilibrium

@@ -26,7 +26,7 @@ double energy_of(const Model& model, double ahead) {
 }  // namespace
 
 double Problem::energy() const {
-  return energy_of(model, scheme.bond_ahead) + contact_energy(model);
+  return energy_of(model, scheme.bond_ahead) + contact_energy(model.contacts);
 }
 
 double Problem::energy(const Vector& d) const {
