@@ -60,6 +60,23 @@ void check_touch(const Region& region, size_t h, const Place& place, const std::
                        "one that touches hole \"" + region.holes[other].name + "\" at " + pair_text(*at));
 }
 
+void check_inside(const Region& region, const Hole& hole, const Place& place, const std::string& field) {
+  for (const Vec2& p : hole.outline)
+    if (!contains(region.outlines[0], p))
+      throw InputError(place, field, "a hole inside the region's outline", "a corner at " + pair_text(p) + " outside");
+  const double shared = overlap_area(region.outlines[0], hole.outline), own = signed_area(hole.outline);
+  if (shared < own * (1 - 1e-9))
+    throw InputError(place, field, "a hole inside the region's outline", number(100 * (1 - shared / own)) + " % of its area outside");
+}
+
+// Of ready blocks a hole is what they leave.
+void check_left(const Region& region, const Hole& hole, const Place& place, const std::string& field) {
+  const auto box = box_of(hole.outline);
+  for (size_t b = 0; b < region.outlines.size(); ++b)
+    if (box.intersects(box_of(region.outlines[b])) && overlap_area(region.outlines[b], hole.outline) > 0)
+      throw InputError(place, field, "a hole that the region's blocks leave", "one that block " + std::to_string(b + 1) + " lies in");
+}
+
 void check_holes(Region& region) {
   const std::string owner = "region \"" + region.name + "\"";
   for (size_t h = 0; h < region.holes.size(); ++h) {
@@ -67,17 +84,12 @@ void check_holes(Region& region) {
     const Place& place = hole.place.file.empty() ? region.place : hole.place;
     const std::string field = "hole \"" + hole.name + "\" of " + owner;
     check_outline(hole.outline, place, field);
-    for (const Vec2& p : hole.outline)
-      if (!contains(region.outlines[0], p))
-        throw InputError(place, field, "a hole inside the region's outline", "a corner at " + pair_text(p) + " outside");
-    const double shared = overlap_area(region.outlines[0], hole.outline), own = signed_area(hole.outline);
-    if (shared < own * (1 - 1e-9))
-      throw InputError(place, field, "a hole inside the region's outline",
-                       number(100 * (1 - shared / own)) + " % of its area outside");
+    const bool ready = region.mesh.kind == MeshKind::given;
+    ready ? check_left(region, hole, place, field) : check_inside(region, hole, place, field);
     for (size_t other = 0; other < h; ++other)
       if (overlap_area(region.holes[other].outline, hole.outline) > 0)
         throw InputError(place, field, "holes that do not overlap", "an overlap with hole \"" + region.holes[other].name + "\"");
-    check_touch(region, h, place, field);
+    if (!ready) check_touch(region, h, place, field);
   }
 }
 
@@ -95,7 +107,8 @@ struct Piece {
   const Region* region;
   const Polyline* outline;
   Eigen::AlignedBox2d box;
-  bool has_holes() const { return outline == &region->outlines[0]; }  // those of its region lie in its first outline
+  // Those of its region lie in its first outline, but for ready blocks.
+  bool has_holes() const { return outline == &region->outlines[0] && region->mesh.kind != MeshKind::given; }
   double area() const { return has_holes() ? area_of(*region) : signed_area(*outline); }
 };
 

@@ -177,7 +177,7 @@ function talus.grade(fields) end
 ---@field outline? table the region's outline
 ---@field blocks? (table)[]|table instead of outline: one outline for each block
 ---@field bonded? boolean of ready blocks: those that share a whole edge, corners at the same place to a 1e-9th of the region, are bonded there like those of a mesh
----@field holes? (table)[]|table outlines of holes; a name is given by the shape
+---@field holes? (table)[]|table outlines of holes; a name is given by the shape. Of bonded ready blocks: where they leave a hole for a charge, its corners those of the blocks round it
 ---@field material talus.material what it is made of
 ---@field joint? talus.joint of its bonds and of contacts between its own blocks
 ---@field mesh? talus.mesh|table how it is divided into bonded blocks
@@ -282,7 +282,7 @@ function talus.outline_from_dxf(fields) end
 ---@field file string first argument: name, from the scene's folder on
 ---@field scale? number m; > 0; metres for a unit of the file
 
----A mesh of Gmsh (.msh, version 2 or 4.1, ASCII): its triangles and quadrangles as ready blocks, for `blocks` of a region with `bonded = true`. Returns `blocks` (all of them), `surfaces.name` (those of a physical surface) and `curves.name` (a list of lines, the straight parts of a physical curve, for `on` of a fixity or load). An element of several groups goes with the first; those of second order are taken by their corners; a note says what was read. Between regions there are contacts, also where their elements share edges.
+---A mesh of Gmsh (.msh, version 2 or 4.1, ASCII): its triangles and quadrangles as ready blocks, for `blocks` of a region with `bonded = true`. Returns `blocks` (all of them), `surfaces.name` (those of a physical surface), `curves.name` (a list of lines, the straight parts of a physical curve, for `on` of a fixity or load) and `loops.name` (the outline of a physical curve that closes, for `holes` of the region; the hole has the curve's name). An element of several groups goes with the first; those of second order are taken by their corners; a note says what was read. Between regions there are contacts, also where their elements share edges.
 ---@param fields talus.gmsh
 ---@return talus.gmsh
 function talus.gmsh(fields) end

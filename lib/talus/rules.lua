@@ -12,7 +12,8 @@ function rules.region(values, bad)
   one_of(values, "outline", "blocks", bad)
   if values.bonded and not values.blocks then bad("bonded", "ready blocks to go with it", "an outline") end
   if not values.blocks then return end
-  for _, name in ipairs { "holes", "mesh", "cuts", "slivers", "sliver_part" } do
+  if values.holes and not values.bonded then bad("holes", "an outline or bonded blocks to go with it", "blocks that are not bonded") end
+  for _, name in ipairs { "mesh", "cuts", "slivers", "sliver_part" } do
     if values[name] then bad(name, "an outline to go with it", "ready blocks") end
   end
 end

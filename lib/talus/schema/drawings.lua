@@ -52,8 +52,9 @@ return {
   {
     kind = "gmsh", call = "talus.gmsh",
     doc = "A mesh of Gmsh (.msh, version 2 or 4.1, ASCII): its triangles and quadrangles as ready blocks, for `blocks` of a region with `bonded"
-      .. " = true`. Returns `blocks` (all of them), `surfaces.name` (those of a physical surface) and `curves.name` (a list of lines, the"
-      .. " straight parts of a physical curve, for `on` of a fixity or load). An element of several groups goes with the first; those of"
+      .. " = true`. Returns `blocks` (all of them), `surfaces.name` (those of a physical surface), `curves.name` (a list of lines, the"
+      .. " straight parts of a physical curve, for `on` of a fixity or load) and `loops.name` (the outline of a physical curve that closes, for"
+      .. " `holes` of the region; the hole has the curve's name). An element of several groups goes with the first; those of"
       .. " second order are taken by their corners; a note says what was read. Between regions there are contacts, also where their"
       .. " elements share edges.",
     fields = {

@@ -19,7 +19,8 @@ return {
         doc = "of ready blocks: those that share a whole edge, corners at the same place to a 1e-9th of the region, are bonded there like those"
             .. " of a mesh" },
       { name = "holes", type = "list", of = { type = "outline" },
-        doc = "outlines of holes; a name is given by the shape" },
+        doc = "outlines of holes; a name is given by the shape. Of bonded ready blocks: where they leave a hole for a charge, its corners those of"
+            .. " the blocks round it" },
       { name = "material", type = "object", kinds = { "material" }, required = true, doc = "what it is made of" },
       joint_field("`contact` of the simulation", "of its bonds and of contacts between its own blocks"),
       { name = "mesh", type = "object", kinds = { "mesh" }, inline = true, default_doc = "not meshed",
