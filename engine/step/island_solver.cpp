@@ -1,6 +1,6 @@
 #include "step/island_solver.h"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -108,7 +108,7 @@ bool IslandSolver::solve_single(const Step& step, int island, IslandResult& resu
       step.system.matrix.diagonal(b, matrix);
       ColumnOf<n> force = ColumnOf<n>::Zero();
       force.head(shape.dofs) = step.system.force.segment(shape.dof_begin, shape.dofs);
-      const ColumnOf<n> own = matrix.inverse() * force;
+      const ColumnOf<n> own = matrix.llt().solve(force);
       const double out = (force - matrix * own).norm() - step.system.force_rounding[b];
       if (!(out <= step.settings.tolerance * step.system.force_scale[b])) return false;
       if (out > 0) result.residual = std::max(result.residual, out / step.system.force_scale[b]);
