@@ -77,9 +77,9 @@ double depth_ahead(const Model& model, const Contact& c, double dt) {
 }
 
 // Met already overlapping, or touching and so fast that y overlaps: not a load (docs/theory.md). What is still apart may
-// well overlap in y: that is a hit.
-double born_with(const Model& model, const Contact& c, double dt) {
-  if (c.gap > meeting_distance(model, c.i, c.j)) return 0;
+// well overlap in y: that is a hit, but where a bond has just failed, whose body met there by another corner.
+double born_with(const Model& model, const Contact& c, double dt, bool cracked) {
+  if (!cracked && c.gap > meeting_distance(model, c.i, c.j)) return 0;
   return std::max({0.0, -c.gap, depth_ahead(model, c, dt)});
 }
 
@@ -125,7 +125,8 @@ void lie_as_pressed(Model& model, double dt) {
 }
 
 // State of the contacts that go on, and of those that hand over.
-void carry_over(const Model& model, double dt, std::vector<Contact>& now) {
+// `cracked`: bonds have failed since the last search.
+void carry_over(const Model& model, double dt, bool cracked, std::vector<Contact>& now) {
   std::unordered_map<std::int64_t, const Contact*> before;
   for (const Contact& c : awake_contacts(model)) before[c.key()] = &c;
   std::vector<Contact*> fresh;
@@ -161,7 +162,7 @@ void carry_over(const Model& model, double dt, std::vector<Contact>& now) {
       if (old->i == c->j) c->offset += std::max(0.0, gap_now(model, *old) - c->gap);
       c->load_shear = std::numeric_limits<double>::quiet_NaN();
     } else {
-      c->offset = born_with(model, *c, dt);
+      c->offset = born_with(model, *c, dt, cracked);
       if (c->joint >= 0) take_over(model, *c);
     }
   }
@@ -372,7 +373,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   if (!seen.empty()) seen_.clear();  // another search than that of these velocities
   drop_points(model, meeting, bonded_, now);
   std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
-  carry_over(model, dt, now);
+  carry_over(model, dt, intact != intact_joints_, now);
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());
   if (dt > 0 && dt < shorter * last_dt_) forgive_depth(model, dt);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <set>
 
 #include "scene/build_parts.h"
 
@@ -89,6 +90,20 @@ void scatter_strengths(Model& model) {
   }
 }
 
+// A joint with cohesion that is no joint anywhere: a pile of rock is not glued, but an interface between regions may have been meant.
+void note_cohesion(Model& model) {
+  const Scene& scene = model.scene;
+  std::set<int> of_contacts{scene.contact}, of_joints;
+  for (const ContactRule& rule : scene.contact_rules) of_contacts.insert(rule.property);
+  for (const Region& region : scene.regions)
+    if (region.outlines.size() > 1 && region.mesh.kind == MeshKind::none && region.joint >= 0) of_contacts.insert(region.joint);
+  for (const Joint& joint : model.joints) of_joints.insert(joint.property);
+  for (const int p : of_contacts)
+    if (p >= 0 && scene.properties[size_t(p)].breaks && !of_joints.contains(p))
+      model.notes.push_back("joint \"" + scene.properties[size_t(p)].name +
+                            "\": contacts between blocks carry its friction alone; cohesion and tension are those of bonds and traces");
+}
+
 }  // namespace
 
 Model build(Scene scene) {
@@ -109,6 +124,7 @@ Model build(Scene scene) {
   number_unknowns(model);
   share_fluxes(model);
   scatter_strengths(model);
+  note_cohesion(model);
   model.place_vertices();
   return model;
 }

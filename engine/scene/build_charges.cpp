@@ -65,17 +65,19 @@ HoleWall wall_of(const Model& model, int id, const std::vector<FreeEdge>& edges)
   wall.centre = integrals.centroid;
   wall.radius = std::sqrt(integrals.area / std::numbers::pi);
   const size_t count = from.size();
-  for (const FreeEdge* edge = count ? from.begin()->second : nullptr; edge;) {
+  const FreeEdge* const first = count ? from.begin()->second : nullptr;
+  bool closed = false;
+  for (const FreeEdge* edge = first; edge;) {
     wall.edges.push_back({edge->block, edge->edge});
-    const auto next = from.find(key(edge->to));
+    closed = key(edge->to) == key(first->from);
     from.erase(key(edge->from));
-    edge = next == from.end() || from.empty() ? nullptr : next->second;
-    if (edge && !from.contains(key(edge->from))) edge = nullptr;
+    const auto next = from.find(key(edge->to));
+    edge = next == from.end() ? nullptr : next->second;
   }
-  if (wall.edges.size() < 3 || wall.edges.size() != count)
+  if (wall.edges.size() < 3 || wall.edges.size() != count || !closed)
     throw InputError(charge.place, "charge.hole", "a hole with a closed wall of free edges",
                      "\"" + hole.name + "\", whose wall has " + std::to_string(wall.edges.size()) + " of " +
-                         std::to_string(count) + " edges in a row");
+                         std::to_string(count) + " edges in a row" + (closed ? "" : ", which do not close"));
   add_loose(model, hole, edges, wall);
   if (!(wall.taken < 1 - on_outline))
     throw InputError(charge.place, "charge.hole", "a hole with room for gas", "\"" + hole.name + "\", which is filled with blocks");

@@ -219,6 +219,7 @@ int item_set(lua_State* L) {
   item.run->refuse_inside_step(L, label + " = …");
   Model& model = item.run->simulation.model;
   BlockState& block = model.blocks[item.id];
+  if (model.shapes[item.id].dofs == 0) refuse(L, label + ": expected a block that can move, got one that is held; a talus.fix moves it");
   if (name == "spin") {
     block.velocity[2] = check_finite(L, 3, label) * model.shapes[item.id].length;
   } else {

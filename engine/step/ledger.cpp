@@ -160,14 +160,20 @@ double bend(const Model& model, const Contact& c, double seconds) {
   return turn * way;
 }
 
-ContactBooking::ContactBooking(const Model& model, const std::vector<Vec2>& before, double ahead_before, double seconds) {
-  for (const Contact& c : std::span(model.contacts).subspan(size_t(model.sleeping_contacts))) {
-    const auto [gap, rate] = gap_of(model, c, before);
-    const double place = std::max(0.0, -(gap + c.offset + ahead_before * rate)),
-                 pressed = c.normal_force / c.normal_stiffness;
-    const bool handed = !c.held_back && std::abs(place - pressed) > bend(model, c, seconds) + 1e-6 * model.shapes[c.i].length;
-    before_.push_back({gap_of(model, c, model.vertex).gap, pressed, c.stretch, c.slip, handed});
-  }
+double pressed_at_start(const Model& model, const Contact& c, const StepStart& start) {
+  const auto as_placed = [&](const std::vector<Vec2>& vertex, double ahead) {
+    const auto [gap, rate] = gap_of(model, c, vertex);
+    return std::max(0.0, -(gap + c.offset + ahead * rate));
+  };
+  const double pressed = c.normal_force / c.normal_stiffness, placed = as_placed(start.vertex, start.ahead_before);
+  const bool handed = !c.held_back && std::abs(placed - pressed) > bend(model, c, start.seconds) + 1e-6 * model.shapes[c.i].length;
+  // At the y of this step too: what has been met at it, or was forgiven as the step changed, is no load.
+  return handed ? std::min(placed, as_placed(model.vertex, start.ahead)) : pressed;
+}
+
+ContactBooking::ContactBooking(const Model& model, const StepStart& start) {
+  for (const Contact& c : std::span(model.contacts).subspan(size_t(model.sleeping_contacts)))
+    before_.push_back({gap_of(model, c, model.vertex).gap, pressed_at_start(model, c, start), c.stretch, c.slip});
 }
 
 // Loss of a contact along X: -N Δg less the spring's gain. For a gap that is linear in y this is the convexity gap
@@ -180,7 +186,7 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
   for (size_t k = 0; k < before_.size(); ++k) {
     const Contact& c = model.contacts[size_t(model.sleeping_contacts) + k];
     const Before& b = before_[k];
-    if ((c.normal_force > 0 || b.pressed > 0) && !b.handed) {
+    if (c.normal_force > 0 || b.pressed > 0) {
       const double pressed = c.normal_force / c.normal_stiffness;
       ledger.numerical_flow += -c.normal_force * (gap_of(model, c, model.vertex).gap - b.gap) -
                                c.normal_stiffness / 2 * (squared(pressed) - squared(b.pressed));

@@ -74,19 +74,27 @@ double weigh(Model& model, const Scheme& scheme, double lost);
 // Blocks on their way up are weighed nearer to X, as far as takes off what a step of another length has gained.
 void weigh_nearer(Model& model, double gained);
 
+// Where a step begins.
+struct StepStart {
+  const std::vector<Vec2>& vertex;  // before X was moved as the step changed,
+  double ahead_before;              // s, when y was this far from it
+  double ahead, seconds;            // of the step
+};
+// m, by which a contact's spring is pressed as a step begins, of its force, or as the blocks lie where it has been handed over or takes over
+// from a bond: where that was otherwise at the last y.
+double pressed_at_start(const Model& model, const Contact& contact, const StepStart& start);
+
 // Contacts of what is awake before and after a step; `ahead0`: ahead of the step before.
 class ContactBooking {
  public:
-  // `before`: vertices before X was moved as the step changed, when y was `ahead_before` from it.
-  ContactBooking(const Model& model, const std::vector<Vec2>& before, double ahead_before, double seconds);
+  ContactBooking(const Model& model, const StepStart& start);
   // The model is that after the step, with the contacts' new forces; `d` and `rows` are the step's.
   void book(const Model& model, const std::vector<ContactRows>& rows, const Scheme& scheme, const Vector& d,
             Ledger& ledger) const;
 
  private:
   struct Before {
-    double gap, pressed, stretch, slip;  // m; pressed: of its spring
-    bool handed;                         // pressed otherwise than the blocks lie
+    double gap, pressed, stretch, slip;  // m
   };
   std::vector<Before> before_;
 };

@@ -106,7 +106,7 @@ StepReport Stepper::dynamic_step(double most) {
   }
   bool regretted = false;
   for (double dt = std::min(next_dt(), most);; dt = std::min(next_dt(), most), ++report.cuts) {
-    effort_ = split_anew_ = released_ = 0;
+    effort_ = split_anew_ = released_ = released_on_way_ = 0;
     const Scheme scheme = this->scheme(dt);
     if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
@@ -140,7 +140,7 @@ StepReport Stepper::dynamic_step(double most) {
         search_.update(model_, dt, seen);
       }
       if (fracture_) {
-        released = released_ - contacts_of_events();
+        released = released_ - contacts_of_events({attempt.vertex_before(), attempt.ahead_before(), scheme.bond_ahead, dt});
         bridge_booking.emplace(model_);
         bridge_motion_.begin(model_);
       }
@@ -190,7 +190,7 @@ StepReport Stepper::dynamic_step(double most) {
     const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved, dt) : std::vector<double>{};
     std::optional<Restitution> restitution;
     if (plan_.restitution) restitution.emplace(model_, contacts_);
-    const double gained = accept(std::move(moved), scheme, d, contacts_at_start(attempt.vertex_before(), attempt.ahead_before(), dt), start);
+    const double gained = accept(std::move(moved), scheme, d, contacts_at_start({attempt.vertex_before(), attempt.ahead_before(), scheme.bond_ahead, dt}), start);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
     if (start && !regretted && gained > most_gain * start->stored()) {
       step_size_.regret(dt * attempt.ahead_before() / scheme.bond_ahead);
@@ -206,6 +206,7 @@ StepReport Stepper::dynamic_step(double most) {
     attempt.keep();
     if (fracture_) {
       ledger_.fracture_work += released;
+      ledger_.numerical_flow -= released_on_way_;
       bridge_booking->book(model_, bridge_motion_.keep(model_), ledger_);
       fracture_->weaken();
       report.failures = int(fracture_->events().size());
@@ -295,7 +296,7 @@ bool Stepper::breaks(std::vector<BlockState>& moved, double dt, StepReport& repo
 // them, as in an impact on few blocks, its potential is below nought: without it, and without that strain, they would have more energy.
 void Stepper::fail(const std::vector<int>& due, double time, bool motion) {
   if (due.empty()) return;
-  const double before = elastic_energy(ledger_.ahead);
+  const double before = elastic_energy(ledger_.ahead), before_at_x = elastic_energy(0);
   if (motion)
     for (const int j : due) {
       const auto [of_a, of_b] = joints_.strain_of_jump(model_, j, ledger_.ahead);
@@ -303,18 +304,23 @@ void Stepper::fail(const std::vector<int>& due, double time, bool motion) {
       fracture_->add_strain(model_.joints[j].b, of_b);
     }
   fracture_->fail(due, time);
-  released_ += before - elastic_energy(ledger_.ahead);
+  const double released = before - elastic_energy(ledger_.ahead);
+  released_ += released;
+  released_on_way_ += released - (before_at_x - elastic_energy(0));
 }
 
 // J/m, with which the contacts begin that take over from bonds that have failed in this step.
-double Stepper::contacts_of_events() const {
+double Stepper::contacts_of_events(const StepStart& start) const {
   const auto& events = fracture_->events();
   if (events.empty()) return 0;
   std::vector<char> fails(model_.joints.size(), 0);
   for (const int j : events) fails[j] = 1;
   double sum = 0;
   for (const Contact& c : model_.contacts)
-    if (c.joint >= 0 && fails[c.joint]) sum += contact_energy(c);
+    if (c.joint >= 0 && fails[c.joint]) {
+      const double pressed = pressed_at_start(model_, c, start);
+      sum += c.normal_stiffness / 2 * pressed * pressed + c.shear_force * c.shear_force / (2 * c.shear_stiffness);
+    }
   return sum;
 }
 
@@ -423,10 +429,10 @@ bool Stepper::all_still() const {
   return true;
 }
 
-std::optional<ContactBooking> Stepper::contacts_at_start(const std::vector<Vec2>& vertex_before, double ahead_before, double dt) {
+std::optional<ContactBooking> Stepper::contacts_at_start(const StepStart& start) {
   PartTimer timer(totals_, "update");
   if (all_still()) return {};
-  return ContactBooking(model_, vertex_before, ahead_before, dt);
+  return ContactBooking(model_, start);
 }
 
 double Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,

@@ -96,7 +96,7 @@ class Stepper {
   bool breaks(std::vector<BlockState>& moved, double dt, StepReport& report);
   void change_step(double ahead);
   void fail(const std::vector<int>& due, double time, bool motion);
-  double contacts_of_events() const;
+  double contacts_of_events(const StepStart& start) const;
   double elastic_energy(double ahead);
   std::span<const Contact> awake_contacts() const;
   bool settled(const Scheme& scheme, const Vector& d);
@@ -109,7 +109,7 @@ class Stepper {
   void count(const IslandResult& result);
   bool all_still() const;
   // For the ledger; none where nothing has moved in the step, and nothing did before it. As the attempt has them from before the step was changed.
-  std::optional<ContactBooking> contacts_at_start(const std::vector<Vec2>& vertex_before, double ahead_before, double dt);
+  std::optional<ContactBooking> contacts_at_start(const StepStart& start);
   // `booking`: of a step in motion; without it such a step has nothing to book.
   // Returns what the step has added to the energy it began with, where that is given.
   double accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking = {},
@@ -145,7 +145,8 @@ class Stepper {
   double split_anew_ = 0;  // IslandResult's, of an attempt at a step
   bool weighed_late_ = true;  // some block is not weighed at y, or may not be
   double effort_ = 0;  // of the solves of an attempt at a step, in factors
-  double released_ = 0;  // J/m, that bonds stored which have failed in an attempt, and their blocks through them
+  double released_ = 0;         // J/m, that bonds stored which have failed in an attempt, and their blocks through them
+  double released_on_way_ = 0;  // J/m, of that what they stored by the way from X to y alone, which the integrator's loss counts with the state
 };
 
 }  // namespace talus

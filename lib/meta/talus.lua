@@ -19,7 +19,7 @@ function talus.material(fields) end
 ---@class talus.joint
 ---@field name? string for output and `sim:joint(name)`
 ---@field friction? number rad; in [0, 1.570796327); friction angle
----@field cohesion? number Pa; >= 0; cohesion; required beside tension, unless a criterion judges
+---@field cohesion? number Pa; >= 0; cohesion of bonds and of traces; required beside tension, unless a criterion judges. Other contacts carry friction alone
 ---@field tension? number Pa; >= 0; tensile strength of bonds; without it Mohr–Coulomb's line goes on to where it ends. What is no bond carries none
 ---@field residual? talus.residual|table what a failed bond still carries, at once
 ---@field reduction? function|talus.softening|talus.slip_weakening|talus.barton_bandis instead of residual: a `talus.laws`, or `function(intact, slip, opening, normal)` that returns what a failed bond still carries, `{ friction = …, cohesion = …, tension = … }`, after the largest slip and opening so far (m) under the normal traction (Pa); a field left out is 0, friction that of `intact`

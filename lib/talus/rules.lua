@@ -10,6 +10,9 @@ end
 
 function rules.region(values, bad)
   one_of(values, "outline", "blocks", bad)
+  local v = values.velocity
+  local moving = v and (v[1] ~= 0 or v[2] ~= 0) and "velocity" or (values.spin or 0) ~= 0 and "spin"
+  if values.held and moving then bad(moving, "a region that is not held; a talus.fix moves what is", "held = true") end
   if values.bonded and not values.blocks then bad("bonded", "ready blocks to go with it", "an outline") end
   if not values.blocks then return end
   if values.holes and not values.bonded then bad("holes", "an outline or bonded blocks to go with it", "blocks that are not bonded") end
@@ -174,6 +177,12 @@ function rules.time(values, bad)
   if values.steps then bad("steps", 'mode = "static"', "dynamic: give dt or displacement_ratio") end
   if values.dt_min and values.dt_max and values.dt_min > values.dt_max then
     bad("dt_min", ("at most dt_max = %g (s)"):format(values.dt_max), ("%g"):format(values.dt_min))
+  end
+  if values.dt and values.dt_max and values.dt > values.dt_max then
+    bad("dt", ("at most dt_max = %g (s)"):format(values.dt_max), ("%g"):format(values.dt))
+  end
+  if values.dt and values.dt_min and values.dt < values.dt_min then
+    bad("dt", ("at least dt_min = %g (s)"):format(values.dt_min), ("%g"):format(values.dt))
   end
 end
 

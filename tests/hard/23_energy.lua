@@ -81,3 +81,35 @@ for law, reduction in pairs(laws) do
   talus.check.above("softening " .. law .. ", beam hit by a ball: bonds that failed", sim.totals.failures, 2)
   talus.check.below("softening " .. law .. ", beam hit by a ball: unexplained, largest, of the energy at the start", rest, 0.01)
 end
+
+-- In steps as long as waves take through the body: what a bond stores by the way from X to y alone goes with it, and a contact that takes
+-- over from it, or is handed over, begins as deep as the blocks lie.
+local torn = 0
+for _, dt in ipairs { 800*u.us, 400*u.us, 200*u.us, 100*u.us } do
+  local sim = talus.simulation { contact = talus.joint { friction = 0.5 }, time = { t_end = 3*u.ms, dt = dt },
+    regions = { talus.region { name = "bar", outline = talus.rect(-2, 0, 2, 0.5), material = rock, mesh = { size = 0.25 }, joint = brittle } } }
+  for _, block in ipairs(sim.blocks) do block.velocity = { 2*block.centroid[1], 0 } end
+  for _ in sim:steps() do torn = math.max(torn, math.abs(sim.energy.unexplained)/sim.energy.scale) end
+  talus.check.above(string.format("bar torn in flight, dt %g s: bonds that failed", dt), sim.totals.failures, 20)
+end
+talus.check.below("bar torn in flight: unexplained, largest, of the energy at the start", torn, 1e-5)
+local function disc(joint, size, velocity)
+  return talus.region { name = "disc", outline = talus.circle { at = {0, 0}, radius = 0.5, sides = 24 }, material = rock, mesh = { size = size },
+                        joint = joint, velocity = velocity }
+end
+local function largest_unexplained(regions)
+  local sim = talus.simulation { contact = talus.joint { friction = 0.5 }, regions = regions, time = { t_end = 8*u.ms } }
+  local most = 0
+  for _ in sim:steps() do most = math.max(most, math.abs(sim.energy.unexplained)/sim.energy.scale) end
+  return most
+end
+for _, case in ipairs { { soft, 4, 0.2 }, { brittle, 8, 0.2 }, { brittle, 4, 0.15 }, { brittle, 4, 0.1 } } do
+  local joint, v, size = table.unpack(case)
+  talus.check.below(string.format("disc hit between plates, %s, %g m/s, blocks of %g m: unexplained, largest, of the energy at the start", joint.name, v, size),
+    largest_unexplained { disc(joint, size), talus.region { name = "anvil", outline = talus.rect(-0.4, -0.8, 0.4, -0.5), material = rock, held = true },
+      talus.region { name = "hammer", outline = talus.rect(-0.4, 0.5, 0.4, 0.8), material = rock, velocity = {0, -v} } }, 0.01)
+end
+for _, speed in ipairs { 3, 6, 12 } do
+  talus.check.below(string.format("disc dropped at %g m/s: unexplained, largest, of the energy at the start", speed),
+    largest_unexplained { disc(brittle, 0.15, {2, -speed}), talus.region { name = "floor", outline = talus.rect(-3, -1, 3, -0.52), material = rock, held = true } }, 0.01)
+end

@@ -25,7 +25,7 @@ return {
       { name = "friction", type = "number", least = 0, below = math.pi/2, unit = "rad", default = math.pi/6,
         default_doc = "30 deg", live = true, doc = "friction angle", source = "Mohr–Coulomb" },
       { name = "cohesion", type = "number", least = 0, unit = "Pa", default = 0, live = true,
-        doc = "cohesion; required beside tension, unless a criterion judges" },
+        doc = "cohesion of bonds and of traces; required beside tension, unless a criterion judges. Other contacts carry friction alone" },
       { name = "tension", type = "number", least = 0, unit = "Pa", default_doc = "cohesion/tan(friction) where cohesion is given", live = true,
         doc = "tensile strength of bonds; without it Mohr–Coulomb's line goes on to where it ends. What is no bond carries none" },
       { name = "residual", type = "object", kinds = { "residual" }, inline = true,
