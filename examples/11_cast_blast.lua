@@ -37,11 +37,15 @@ local joint = talus.joint { name = "artificial", friction = 45*u.deg, cohesion =
 local faces = talus.joint { name = "faces", friction = 45*u.deg, stiffness = pressed }
 
 local curve, before = {}, nil  -- chamber volume every 5 ms until it vents, m3/m
+local leak, at_leak = 26.57e-3, nil  -- when the paper's gas vents, s; our volume then
 local function follow(sim)
   local now = { time = sim.time, volume = sim.charges[1].volume }
   while before and not sim.state.vented and now.time >= 5e-3*(#curve + 1) do
     local part = (5e-3*(#curve + 1) - before.time)/(now.time - before.time)
     curve[#curve + 1] = before.volume + part*(now.volume - before.volume)
+  end
+  if before and not at_leak and now.time >= leak then
+    at_leak = before.volume + (leak - before.time)/(now.time - before.time)*(now.volume - before.volume)
   end
   before = now
 end
@@ -85,6 +89,7 @@ local sizes = talus.blast.fragmentation(sim, { regions = {"bench"}, file = "size
 print(string.format("%d bonds failed, %d fragments, x50 %.2f m; gas %.3g MJ/m, of it friction %.3g, damping %.3g, boundary %.3g",
   sim.totals.failures, sizes.count, sizes.x50, energy.gas/1e6, energy.friction/1e6, (energy.damping or 0)/1e6, energy.viscous/1e6))
 print(string.format("highest rise %.1f m at %.2f s (paper: 0.74 s)", sim.highest.rise, sim.highest.time))
+if at_leak then talus.result("volume_ratio", at_leak/charge.first_volume, "V/V0 at 26.57 ms") end
 if vented then
   talus.result("vented_at", 1e3*vented.time, "ms")
   talus.result("vented_volume", vented.volume, "m3/m")

@@ -12,7 +12,7 @@ talus.study {
   seeds = 2,
   collect = {
     blocks   = "sizes.blocks",
-    volume   = { history = "charge 1.volume", at = 0.02657, label = "V at 26.57 ms" },
+    volume   = "results.volume_ratio",
     vented_at = "results.vented_at", vented_volume = "results.vented_volume",
     x50      = "results.x50",
     moved    = "results.moved", cast = "results.cast",
