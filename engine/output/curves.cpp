@@ -26,6 +26,18 @@ std::vector<double> gas_row(const Simulation& simulation) {
   return row;
 }
 
+// Whether the gas has all gone and the picture has seen it: what comes after is flat, and a hundred times as long.
+bool gas_is_over(const Simulation& simulation, const Record& record) {
+  const auto& chambers = simulation.gas()->chambers();
+  const auto is_over = [](const Chamber& chamber) {
+    return chamber.state == Chamber::State::merged || (chamber.state == Chamber::State::vented && chamber.pressure == 0);
+  };
+  if (record.size() == 0 || !std::all_of(chambers.begin(), chambers.end(), is_over)) return false;
+  for (size_t wall = 0; wall < simulation.model.hole_walls.size(); ++wall)
+    if (record.column(2 * wall).back() != 0) return false;
+  return true;
+}
+
 std::string draw_gas(const Record& record, const Model& model, bool volume) {
   Plot plot = {.title = volume ? "Volume of the gas" : "Pressure of the gas",
                .y_label = volume ? "V" : "P",
@@ -104,7 +116,7 @@ std::vector<MovingSupport> moving_supports(Simulation& simulation, const std::ve
 template <class Add>
 void Curves::each(Simulation& simulation, Add add) {
   add(energies_, [&] { return energy_row(simulation); });
-  if (simulation.plan.gas) add(gas_, [&] { return gas_row(simulation); });
+  if (simulation.plan.gas && !gas_is_over(simulation, gas_)) add(gas_, [&] { return gas_row(simulation); });
   if (!moving_.empty()) add(supports_, [&] { return support_row(moving_supports(simulation, moving_)); });
 }
 
