@@ -25,7 +25,7 @@ struct Chamber {
   double vented_at = 0;  // s
   std::vector<double> fronts;  // m, of walls: way of the gas from the centre of the hole, since it is there; it is at the wall until that is more
   double gain = 0;       // m3/(Pa s2), how much more volume a step gives for a higher pressure, over its length squared
-  double yield = 0;      // m3/s2, how much less it gave than the blocks' free flight at no pressure
+  double yield = 0;      // m3/s2, how much more than the blocks' free flight it gave at no pressure (mostly less), over the step's length squared
   double joined = 0;     // m3, filled without work so far
   double work = 0;       // J/m, of the law along the volume swept
   double opening = 0;    // m, of what it vents through, now

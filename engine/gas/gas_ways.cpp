@@ -76,6 +76,7 @@ void Gas::take_over(int c, int other) {
   met.state = Chamber::State::merged;
   met.pressure = 0;
   spread(c);
+  if (vents && orifice) own.opening = opening_of(c);
   events_.push_back({GasEventKind::merging, c, other, model_.time, own.volume, own.pressure});
 }
 

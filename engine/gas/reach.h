@@ -52,9 +52,9 @@ class GasPaths {
 double gas_volume(const Model& model, const std::vector<BlockState>& blocks, double seconds, const GasPaths& paths,
                   const std::vector<int>& walls, const Reach& reach);
 
-// Appends the faces that `chamber` presses on.
 // m3 per metre that a chamber's faces sweep from where the blocks are to `moved`, exact for faces that move straight.
 double swept_by_faces(const Model& model, int chamber, const std::vector<BlockState>& moved);
+// Appends the faces that `chamber` presses on.
 void add_gas_faces(const Model& model, int chamber, const std::vector<int>& walls, const Reach& reach,
                    std::vector<GasFace>& faces);
 

@@ -19,7 +19,7 @@ namespace talus {
 
 // Accumulated since the start of the run.
 struct Ledger {
-  double ahead = 0;           // s, of the last accepted step
+  double ahead = 0;           // s, from X to y over the velocity: of the last accepted step, and from change_step() on of the one attempted
   double gravity_work = 0;    // along X
   double external_work = 0;   // loads and body forces, along y
   double gas_work = 0;        // explosion gas, along X
@@ -80,11 +80,11 @@ struct StepStart {
   double ahead_before;              // s, when y was this far from it
   double ahead, seconds;            // of the step
 };
-// m, by which a contact's spring is pressed as a step begins, of its force, or as the blocks lie where it has been handed over or takes over
-// from a bond: where that was otherwise at the last y.
+// m, by which a contact's spring is pressed as a step begins: by its force. Where its blocks were placed otherwise at the last y, as it has
+// been handed over or takes over from a bond, as they lie, at that y or at this step's, whichever is less; not where a restitution held them back.
 double pressed_at_start(const Model& model, const Contact& contact, const StepStart& start);
 
-// Contacts of what is awake before and after a step; `ahead0`: ahead of the step before.
+// Contacts of what is awake before and after a step.
 class ContactBooking {
  public:
   ContactBooking(const Model& model, const StepStart& start);

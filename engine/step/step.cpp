@@ -110,6 +110,7 @@ StepReport Stepper::dynamic_step(double most) {
     const Scheme scheme = this->scheme(dt);
     if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
+    if (judged_astray_) judge_again();
     // Another step than the last: y stays, as far as bodies deform or lie on something.
     std::optional<Energies> start;
     const bool changes = scheme.bond_ahead != ledger_.ahead;
@@ -122,7 +123,7 @@ StepReport Stepper::dynamic_step(double most) {
     // 1. Loads, fixities and prescribed motions belong to this step's times; see Scheme.
     if (plan_.held_blocks) move_held_blocks(model_, dt);
     if (gas_) gas_->begin_step(dt);
-    if (fracture_ && dt < fracture_->least_transit()) fail(fracture_->choose(true), model_.time, true);
+    if (fracture_) fail(fracture_->choose(true), model_.time, true);  // what a step that was too short for it left due
 
     Vector d;
     IslandResult result;
@@ -204,6 +205,7 @@ StepReport Stepper::dynamic_step(double most) {
     }
     count(result);
     attempt.keep();
+    judged_astray_ = false;
     if (fracture_) {
       ledger_.fracture_work += released;
       ledger_.numerical_flow -= released_on_way_;
@@ -246,6 +248,7 @@ void Stepper::restored() {
 
 void Stepper::rewound() {
   weighed_late_ = true;
+  judged_astray_ = false;
   search_.forget();
   sleep_.restored();
   if (fracture_) {
@@ -270,17 +273,18 @@ int Stepper::initial_cracks() {
   return int(due.size());
 }
 
-// The gas gives way as the rock does: else the same again with the pressure of the volume that d leads to. And with the branches of
-// softening laws that it leads to.
+// Whether there is nothing to solve again: the pressures of the gas are those of the volumes that d leads to, and bridges are on the branches
+// of their laws that it leads to; or either has been given up.
 bool Stepper::settled(const Scheme& scheme, const Vector& d) {
   if (gas_ && !gas_->agrees(moved_blocks(model_, scheme, d))) return gas_->gives_up();
   return !bridge_motion_.any() || bridge_motion_.gives_up() || bridge_motion_.agrees(d);
 }
 
-// Whether bonds fail where the step leads and it is to be taken again: unless a wave crosses no block in it, when a bond
-// cannot feel yet that another has failed and those that are due fail with the next step. `moved` is only lent to the model.
+// Whether bonds fail where the step leads and it is to be taken again. Not in a step shorter than a wave takes through a block, in which a
+// bond cannot feel yet that another has failed: those that are due then fail at the start of the next. `moved` is only lent to the model.
 bool Stepper::breaks(std::vector<BlockState>& moved, double dt, StepReport& report) {
   PartTimer timer(totals_, "fracture");
+  judged_astray_ = true;  // until the step is accepted
   model_.blocks.swap(moved);
   joints_.store_tractions(model_);
   report.utilisation = std::max(report.utilisation, fracture_->judge());
@@ -290,6 +294,14 @@ bool Stepper::breaks(std::vector<BlockState>& moved, double dt, StepReport& repo
   joints_.store_tractions(model_);
   fail(due, model_.time + dt, true);
   return true;
+}
+
+// Bonds where the blocks are.
+void Stepper::judge_again() {
+  PartTimer timer(totals_, "fracture");
+  joints_.store_tractions(model_);
+  fracture_->judge();
+  judged_astray_ = false;
 }
 
 // In motion the blocks beside keep as strain what the jump of their bond was to them. Where they strain more than their bond would let

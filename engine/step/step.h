@@ -94,6 +94,7 @@ class Stepper {
   StepReport break_bonds(const std::vector<int>& due);
   [[noreturn]] void give_up(const Equilibrium& search) const;
   bool breaks(std::vector<BlockState>& moved, double dt, StepReport& report);
+  void judge_again();
   void change_step(double ahead);
   void fail(const std::vector<int>& due, double time, bool motion);
   double contacts_of_events(const StepStart& start) const;
@@ -145,6 +146,7 @@ class Stepper {
   double split_anew_ = 0;  // IslandResult's, of an attempt at a step
   bool weighed_late_ = true;  // some block is not weighed at y, or may not be
   double effort_ = 0;  // of the solves of an attempt at a step, in factors
+  bool judged_astray_ = false;   // bonds have been judged where an attempt led that came to nothing
   double released_ = 0;         // J/m, that bonds stored which have failed in an attempt, and their blocks through them
   double released_on_way_ = 0;  // J/m, of that what they stored by the way from X to y alone, which the integrator's loss counts with the state
 };
