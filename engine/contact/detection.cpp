@@ -373,7 +373,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   if (!seen.empty()) seen_.clear();  // another search than that of these velocities
   drop_points(model, meeting, bonded_, now);
   std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
-  carry_over(model, dt, intact != intact_joints_, now);
+  carry_over(model, dt, intact >= 0 && intact != intact_joints_, now);
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());
   if (dt > 0 && dt < shorter * last_dt_) forgive_depth(model, dt);

@@ -59,10 +59,11 @@ class ContactSearch {
   std::vector<std::pair<int, int>> near(const Model& model, const std::vector<BlockState>& states, double dt) const;
   bool bonded(int a, int b) const;
   const Surface& surface() const { return surface_; }
-  // The surface is found anew: states of joints were set from outside.
-  void forget() {
+  // States of joints were set from outside: the surface is found anew, and bonds that fail from here on are told from those that had failed.
+  void forget(const Model& model) {
     intact_joints_ = -1;
     seen_.clear();
+    find_surface(model);
   }
   template <class Visitor>  // of the registry, model/registry.h
   void visit_state(Visitor& visitor) {

@@ -249,7 +249,7 @@ void Stepper::restored() {
 void Stepper::rewound() {
   weighed_late_ = true;
   judged_astray_ = false;
-  search_.forget();
+  search_.forget(model_);
   sleep_.restored();
   if (fracture_) {
     fracture_->restored();
