@@ -26,11 +26,6 @@ double gap_now(const Model& model, const Contact& c) {
   return edge_normal(model, c).dot(model.vertex[c.global_vertex] - model.vertex[c.global_edge]);
 }
 
-template <class AModel>
-auto awake_contacts(AModel& model) {
-  return std::span(model.contacts).subspan(size_t(model.sleeping_contacts));
-}
-
 bool stands_still(const Model& model, int block) {
   const auto& v = model.blocks[block].velocity;
   return std::all_of(v.begin(), v.begin() + model.shapes[block].rate_count(), [](double rate) { return rate == 0; });
@@ -98,7 +93,7 @@ void take_over(const Model& model, Contact& c) {
 // depth as a load that nothing paid for. It is kept as an offset, which goes as the bodies part: nothing presses more at
 // the start of a step than at the end of the last.
 void forgive_depth(Model& model, double dt) {
-  for (Contact& c : awake_contacts(model)) {
+  for (Contact& c : model.awake_contacts()) {
     if (stands_still(model, c.i) && stands_still(model, c.j)) continue;  // X is y
     if (c.gap + c.offset >= 0) continue;
     const double now = std::min(-(c.gap + c.offset), depth_ahead(model, c, dt));
@@ -113,7 +108,7 @@ void lie_as_pressed(Model& model, double dt) {
     const auto& v = model.blocks[block].velocity;
     return std::all_of(v.begin(), v.begin() + model.shapes[block].rate_count(), [&](double rate) { return std::abs(rate) * dt <= rounding; });
   };
-  for (Contact& c : awake_contacts(model)) {
+  for (Contact& c : model.awake_contacts()) {
     if (c.lies && dt > 0 && stands_still(model, c.i) && stands_still(model, c.j)) continue;
     const double rounding = rounding_of_gap(model, c);
     c.lies = c.normal_force > 0 && rests(c.i, rounding) && rests(c.j, rounding);
@@ -128,7 +123,7 @@ void lie_as_pressed(Model& model, double dt) {
 // `cracked`: bonds have failed since the last search.
 void carry_over(const Model& model, double dt, bool cracked, std::vector<Contact>& now) {
   std::unordered_map<std::int64_t, const Contact*> before;
-  for (const Contact& c : awake_contacts(model)) before[c.key()] = &c;
+  for (const Contact& c : model.awake_contacts()) before[c.key()] = &c;
   std::vector<Contact*> fresh;
   for (Contact& c : now) {
     const auto found = before.find(c.key());
@@ -147,7 +142,7 @@ void carry_over(const Model& model, double dt, bool cracked, std::vector<Contact
     before.erase(found);
   }
   std::unordered_map<std::int64_t, std::vector<const Contact*>> ended;  // by vertex, and by pair of blocks
-  for (const Contact& c : awake_contacts(model)) {
+  for (const Contact& c : model.awake_contacts()) {
     if (c.state == ContactState::open || !before.contains(c.key())) continue;
     ended[-1 - c.global_vertex].push_back(&c);
     ended[pair_key(c.i, c.j)].push_back(&c);

@@ -17,7 +17,7 @@ namespace {
 // Part of the pressure by which that of a solve may differ from the law over the volume it leads to. The work of a step is
 // off by no more; the volume, from which the next step goes on, is exact.
 constexpr double close_enough = 1e-4;
-constexpr int most_solves = 20;
+constexpr int most_solves = 20, guesses = 20;  // a step; of a pressure that agrees with a linear answer of the rock
 constexpr double little = 1e-9;  // part of the volume: less is swept at the present pressure
 
 // Where a falling positive function comes to `value` between `low` and `high`, or the end beyond which it would.
@@ -99,11 +99,11 @@ void Gas::detonate(double soon) {
     Reach hole;
     hole.nodes = paths_.wall_nodes(int(wall));
     first_volume_[charge] = gas_volume(model_, model_.blocks, 0, paths_, {int(wall)}, hole);
-    if (const Chamber& there = chambers_[chamber_of(int(wall))]; there.state == Chamber::State::vented) {
+    if (Chamber& there = chambers_[chamber_of(int(wall))]; there.state == Chamber::State::vented) {
       if (!model_.scene.charges[there.charges[0]].orifice && vent_part(there, model_.time) == 0)
         set_apart(int(wall));
       else
-        settle_venting(chambers_[chamber_of(int(wall))]);
+        settle_venting(there);
     }
     const int c = chamber_of(int(wall));
     Chamber& chamber = chambers_[c];
@@ -253,7 +253,7 @@ void Gas::begin_step(double dt) {
     guess.slope = chamber.gain * dt * dt;
     guess.offset = guess.free + chamber.yield * dt * dt;
     guess.pressure = chamber.pressure;
-    for (int k = 0; k < most_solves; ++k)
+    for (int k = 0; k < guesses; ++k)
       guess.pressure = mean_pressure(chamber, guess.offset + guess.slope * guess.pressure);
     model_.gas_pressure[c] = guess.pressure;
   }
@@ -284,7 +284,7 @@ bool Gas::agrees(const std::vector<BlockState>& moved) {
     gives_up_ = gives_up_ || guess.solves >= most_solves;
     all = false;
     double better = wanted;
-    for (int k = 0; k < most_solves; ++k)
+    for (int k = 0; k < guesses; ++k)
       better = mean_pressure(chamber, guess.offset + guess.slope * better);
     model_.gas_pressure[c] = better;
   }

@@ -43,6 +43,8 @@ void Gas::merge() {
     for (const int wall : reach_[c].walls) met.push_back(chamber_of(wall));
     for (int other = 0; other < int(chambers_.size()); ++other)
       if (other != c && pressing(chambers_[other]) && meet(c, other)) met.push_back(other);
+    // Those that have blown out last: a taking over finds anew what the gas has reached, and with it whether that is a free surface.
+    std::stable_partition(met.begin(), met.end(), [&](int other) { return chambers_[other].state != Chamber::State::vented; });
     for (const int other : met)
       if (other != c && chambers_[other].state != Chamber::State::merged) take_over(c, other);
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -320,6 +321,9 @@ class Model {
   // To be called by whoever changes materials, joint properties, loads, supports or velocities between steps: all wake.
   void changed();
   void order_contacts();  // after a change of `asleep`
+  std::span<Contact> awake_contacts() { return std::span(contacts).subspan(size_t(sleeping_contacts)); }
+  std::span<const Contact> awake_contacts() const { return std::span(contacts).subspan(size_t(sleeping_contacts)); }
+  std::span<const Contact> asleep_contacts() const { return std::span(contacts).first(size_t(sleeping_contacts)); }
 
   // Place of the material point `in_block` (from the reference centroid): c + R ((I + e) X + q(X)).
   Vec2 place(int block, const Vec2& in_block) const;

@@ -83,10 +83,12 @@ double contact_energy(std::span<const Contact> contacts) {
   return sum;
 }
 
+int closed_contacts(std::span<const Contact> contacts) {
+  return int(std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.state != ContactState::open; }));
+}
+
 Asleep stored_asleep(const Model& model) {
-  const auto contacts = std::span(model.contacts).first(size_t(model.sleeping_contacts));
-  return {strain_of_blocks(model, true, 0), contact_energy(contacts),
-          int(std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.state != ContactState::open; }))};
+  return {strain_of_blocks(model, true, 0), contact_energy(model.asleep_contacts()), closed_contacts(model.asleep_contacts())};
 }
 
 double gravity_energy_ahead(const Model& model) {

@@ -20,6 +20,7 @@ double strain_energy(const Model& model, const JointTerms& joints, const Support
 Vec2 contact_push(const Model& model, const Contact& contact);  // N/m, on the corner
 double contact_energy(const Contact& contact);  // N²/2kn + T²/2ks
 double contact_energy(std::span<const Contact> contacts);
+int closed_contacts(std::span<const Contact> contacts);
 
 // What is asleep stores, and how many of its contacts are closed: it does not change while it sleeps.
 struct Asleep {

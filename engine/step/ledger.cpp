@@ -1,7 +1,6 @@
 #include "step/ledger.h"
 
 #include <cmath>
-#include <span>
 
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
@@ -172,7 +171,7 @@ double pressed_at_start(const Model& model, const Contact& c, const StepStart& s
 }
 
 ContactBooking::ContactBooking(const Model& model, const StepStart& start) {
-  for (const Contact& c : std::span(model.contacts).subspan(size_t(model.sleeping_contacts)))
+  for (const Contact& c : model.awake_contacts())
     before_.push_back({gap_of(model, c, model.vertex).gap, pressed_at_start(model, c, start), c.stretch, c.slip});
 }
 
@@ -184,7 +183,7 @@ ContactBooking::ContactBooking(const Model& model, const StepStart& start) {
 void ContactBooking::book(const Model& model, const std::vector<ContactRows>& rows, const Scheme& scheme,
                           const Vector& d, Ledger& ledger) const {
   for (size_t k = 0; k < before_.size(); ++k) {
-    const Contact& c = model.contacts[size_t(model.sleeping_contacts) + k];
+    const Contact& c = model.awake_contacts()[k];
     const Before& b = before_[k];
     if (c.normal_force > 0 || b.pressed > 0) {
       const double pressed = c.normal_force / c.normal_stiffness;
@@ -208,7 +207,7 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
     held(c.j, row.normal_j, row.shear_j);
   }
   for (size_t k = 0; k < before_.size(); ++k) {
-    const Contact& c = model.contacts[size_t(model.sleeping_contacts) + k];
+    const Contact& c = model.awake_contacts()[k];
     if (c.state == ContactState::slip)
       ledger.friction_work += std::abs(c.shear_force * (c.slip - before_[k].slip));
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 
@@ -16,6 +15,7 @@
 #include "step/restitution.h"
 #include "step/restored.h"
 #include "step/step_change.h"
+#include "step/turning.h"
 #include "step/update.h"
 
 namespace talus {
@@ -23,6 +23,7 @@ namespace talus {
 namespace {
 
 constexpr double most_gain = 1e-6;  // in a step, of what moves and is stored
+constexpr double most_turning = 1e-3;  // in a step, of the ledger's scale: what all steps leave unexplained is to be below a hundredth
 constexpr double most_solve_effort = 24;  // factors, among cracks: three times what keeps a step from growing
 
 // What an attempt at a step changes before it is known to succeed; put back unless keep() is called.
@@ -181,7 +182,7 @@ StepReport Stepper::dynamic_step(double most) {
       ++totals_.cuts;
       continue;
     }
-    if (past) {
+    if (past || (plan_.contacts && step_size_.may_halve(dt) && turns_gain(scheme, d, moved))) {
       step_size_.halve(dt);
       ++totals_.cuts;
       continue;
@@ -258,82 +259,11 @@ void Stepper::rewound() {
   if (gas_) gas_->restored();
 }
 
-const std::vector<int>& Stepper::fractures() const {
-  static const std::vector<int> none;
-  return fracture_ ? fracture_->events() : none;
-}
-
-int Stepper::initial_cracks() {
-  prepare_bonds();
-  joints_.store_tractions(model_);
-  fracture_->judge();
-  const std::vector<int> due = fracture_->choose(false);
-  fracture_->fail(due, model_.time);
-  step_size_.broken(model_);
-  return int(due.size());
-}
-
 // Whether there is nothing to solve again: the pressures of the gas are those of the volumes that d leads to, and bridges are on the branches
 // of their laws that it leads to; or either has been given up.
 bool Stepper::settled(const Scheme& scheme, const Vector& d) {
   if (gas_ && !gas_->agrees(moved_blocks(model_, scheme, d))) return gas_->gives_up();
   return !bridge_motion_.any() || bridge_motion_.gives_up() || bridge_motion_.agrees(d);
-}
-
-// Whether bonds fail where the step leads and it is to be taken again. Not in a step shorter than a wave takes through a block, in which a
-// bond cannot feel yet that another has failed: those that are due then fail at the start of the next. `moved` is only lent to the model.
-bool Stepper::breaks(std::vector<BlockState>& moved, double dt, StepReport& report) {
-  PartTimer timer(totals_, "fracture");
-  judged_astray_ = true;  // until the step is accepted
-  model_.blocks.swap(moved);
-  joints_.store_tractions(model_);
-  report.utilisation = std::max(report.utilisation, fracture_->judge());
-  const std::vector<int> due = dt < fracture_->least_transit() ? std::vector<int>{} : fracture_->choose(true);
-  model_.blocks.swap(moved);
-  if (due.empty()) return false;
-  joints_.store_tractions(model_);
-  fail(due, model_.time + dt, true);
-  return true;
-}
-
-// Bonds where the blocks are.
-void Stepper::judge_again() {
-  PartTimer timer(totals_, "fracture");
-  joints_.store_tractions(model_);
-  fracture_->judge();
-  judged_astray_ = false;
-}
-
-// In motion the blocks beside keep as strain what the jump of their bond was to them. Where they strain more than their bond would let
-// them, as in an impact on few blocks, its potential is below nought: without it, and without that strain, they would have more energy.
-void Stepper::fail(const std::vector<int>& due, double time, bool motion) {
-  if (due.empty()) return;
-  const double before = elastic_energy(ledger_.ahead), before_at_x = elastic_energy(0);
-  if (motion)
-    for (const int j : due) {
-      const auto [of_a, of_b] = joints_.strain_of_jump(model_, j, ledger_.ahead);
-      fracture_->add_strain(model_.joints[j].a, of_a);
-      fracture_->add_strain(model_.joints[j].b, of_b);
-    }
-  fracture_->fail(due, time);
-  const double released = before - elastic_energy(ledger_.ahead);
-  released_ += released;
-  released_on_way_ += released - (before_at_x - elastic_energy(0));
-}
-
-// J/m, with which the contacts begin that take over from bonds that have failed in this step.
-double Stepper::contacts_of_events(const StepStart& start) const {
-  const auto& events = fracture_->events();
-  if (events.empty()) return 0;
-  std::vector<char> fails(model_.joints.size(), 0);
-  for (const int j : events) fails[j] = 1;
-  double sum = 0;
-  for (const Contact& c : model_.contacts)
-    if (c.joint >= 0 && fails[c.joint]) {
-      const double pressed = pressed_at_start(model_, c, start);
-      sum += c.normal_stiffness / 2 * pressed * pressed + c.shear_force * c.shear_force / (2 * c.shear_stiffness);
-    }
-  return sum;
 }
 
 void Stepper::prepare_bonds() {
@@ -400,6 +330,13 @@ IslandResult Stepper::solve(double dt, Vector& d) {
 bool Stepper::overlooks(double dt, double displacement, const Vector& d, const std::vector<BlockState>& moved) {
   PartTimer timer(totals_, "contact search");
   return overlooked(model_, search_, contacts_, d, moved, dt, displacement);
+}
+
+// Whether blocks turn in the step by so much that the work of their contacts is not what it was solved with.
+bool Stepper::turns_gain(const Scheme& scheme, const Vector& d, const std::vector<BlockState>& moved) {
+  PartTimer timer(totals_, "update");
+  const double work = work_of_turning(model_, contacts_, scheme, d, moved);
+  return work > most_turning * ledger_.scale() && work > most_turning * energies().stored();
 }
 
 // The blocks of islands in which a contact presses that was not solved for get more of their contacts.
@@ -496,108 +433,6 @@ void Stepper::change_step(double ahead) {
   ledger_.ahead = ahead;
   ledger_.gravity_work += gravity;
   ledger_.numerical_flow += gravity + before - kinetic_energy(model_, 0) - elastic_energy(0);
-}
-
-void Stepper::begin_ledger() {
-  ledger_ = {};
-  if (plan_.dynamic) ledger_.ahead = scheme(step_size_.next(model_.time)).bond_ahead;
-  for (BlockState& state : model_.blocks) state.weighed_ahead = 0;
-  const Energies now = energies();
-  ledger_.start_energy = now.total;
-  ledger_.start_shift = -now.numerical;
-}
-
-double Stepper::elastic_energy(double ahead) {
-  double sum = strain_energy(model_, joints_, supports_, ahead) + sleep_.stored(model_).strain;
-  for (const auto& term : terms) sum += term->energy(model_, ahead);
-  return sum;
-}
-
-std::span<const Contact> Stepper::awake_contacts() const {
-  return std::span(model_.contacts).subspan(size_t(model_.sleeping_contacts));
-}
-
-int Stepper::closed_contacts() {
-  const auto awake = awake_contacts();
-  return sleep_.stored(model_).closed +
-         int(std::count_if(awake.begin(), awake.end(), [](const Contact& c) { return c.state != ContactState::open; }));
-}
-
-Energies Stepper::energies() {
-  prepare_bonds();
-  const double ahead = ledger_.ahead, gravity_ahead = gravity_energy_ahead(model_);
-  Energies e;
-  e.kinetic = plan_.dynamic ? kinetic_energy(model_, ahead) : 0;
-  e.strain = elastic_energy(ahead);
-  if (!plan_.dynamic) e.strain += viscous_hold_energy(model_);
-  e.contact = contact_energy(awake_contacts()) + sleep_.stored(model_).contact;
-  e.gravity = gravity_ahead - ledger_.gravity_work;
-  e.total = e.kinetic + e.strain + e.contact + e.gravity;
-  e.external = ledger_.external_work;
-  e.gas = ledger_.gas_work;
-  e.boundary = ledger_.boundary_work;
-  e.friction = ledger_.friction_work;
-  e.damping = ledger_.damping_work;
-  e.viscous = ledger_.viscous_work;
-  e.fracture = ledger_.fracture_work;
-  double shift = gravity_ahead;  // at y less at X: part of the integrator's loss that needs no booking
-  if (ahead != 0)
-    shift += e.strain - elastic_energy(0) + e.kinetic - kinetic_energy(model_, 0);
-  e.numerical = ledger_.numerical_flow - (shift - ledger_.start_shift);
-  e.unexplained = e.total - ledger_.start_energy - e.external - e.gas - e.boundary + e.friction + e.damping + e.viscous +
-                  e.fracture + e.numerical;
-  e.scale = ledger_.scale();
-  return e;
-}
-
-void Stepper::give_up(const OpenCloseResult& result, double dt, int crushed) const {
-  char text[400];
-  if (crushed >= 0) {
-    std::snprintf(text, sizeof text,
-                  "t = %.9g s: %s would be squeezed to less than a tenth of its area: a pressure, load or speed of the scene is beyond what "
-                  "material.young, %.3g Pa, holds linearly",
-                  model_.time, block_name(model_, crushed).c_str(), model_.material(crushed).young);
-    throw RunError(text);
-  }
-  if (result.singular_block >= 0 && dt > 0) {
-    std::snprintf(text, sizeof text,
-                  "t = %.9g s: no step down to %.3g s has a solution: the inertia of %s is lost beside its stiffness; give a shorter time.dt",
-                  model_.time, dt, block_name(model_, result.singular_block).c_str());
-    throw RunError(text);
-  }
-  if (result.singular_block >= 0) {
-    std::snprintf(text, sizeof text, "nothing holds %s: fix it, put it on something, or run the scene as dynamic",
-                  block_name(model_, result.singular_block).c_str());
-    throw RunError(text);
-  }
-  if (result.converged) {
-    std::snprintf(text, sizeof text,
-                  "t = %.9g s: in a step of %.3g s a block would move farther than time.displacement_ratio, or turn by more than 0.1 rad, or where time.dt is given the thinnest "
-                  "block, allows, and time.dt_min lets none be shorter: give a smaller one, or a larger ratio",
-                  model_.time, dt);
-    throw RunError(text);
-  }
-  if (gas_ && gas_->gives_up()) {
-    std::snprintf(text, sizeof text, "t = %.9g s: no step down to %.3g s has a gas pressure that agrees with the volume it leads to", model_.time, dt);
-    throw RunError(text);
-  }
-  if (!std::isfinite(result.residual)) {
-    std::snprintf(text, sizeof text,
-                  "t = %.9g s: the forces on %s are beyond the largest number: gravity, a load, a stiffness or a speed of the scene "
-                  "is too large",
-                  model_.time, block_name(model_, std::max(result.worst_block, 0)).c_str());
-    throw RunError(text);
-  }
-  std::snprintf(text, sizeof text,
-                "t = %.9g s: no step down to %.3g s is accepted: after %d iterations the contact forces on %s are out of "
-                "balance by %.3g of what meets there",
-                model_.time, dt, result.iterations, block_name(model_, std::max(result.worst_block, 0)).c_str(),
-                result.residual);
-  std::string message = text;
-  for (const Contact& c : model_.contacts)
-    if ((c.i == result.worst_block || c.j == result.worst_block) && message.size() < 900)
-      message += "; it touches " + block_name(model_, c.i == result.worst_block ? c.j : c.i);
-  throw RunError(message);
 }
 
 }  // namespace talus

@@ -4,7 +4,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -99,11 +98,11 @@ class Stepper {
   void fail(const std::vector<int>& due, double time, bool motion);
   double contacts_of_events(const StepStart& start) const;
   double elastic_energy(double ahead);
-  std::span<const Contact> awake_contacts() const;
   bool settled(const Scheme& scheme, const Vector& d);
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
   IslandResult solve(double dt, Vector& d);  // dt = 0: equilibrium
   bool overlooks(double dt, double displacement, const Vector& d, const std::vector<BlockState>& moved);
+  bool turns_gain(const Scheme& scheme, const Vector& d, const std::vector<BlockState>& moved);
   void widen();
   void assemble(const Scheme& scheme, bool stick);
   void keep_rest(std::vector<BlockState>& moved);

@@ -47,8 +47,7 @@ bool slow(const BlockShape& shape, const BlockState& state, double seconds, doub
 std::vector<bool> find_lying(const Model& model, double seconds, const std::vector<int>& body_of) {
   std::vector<bool> pressed(model.blocks.size()), slides(model.blocks.size()), fast(model.blocks.size());
   DisjointSets heaps(model.blocks.size());
-  for (size_t k = size_t(model.sleeping_contacts); k < model.contacts.size(); ++k) {
-    const Contact& c = model.contacts[k];
+  for (const Contact& c : model.awake_contacts()) {
     if (c.normal_force <= 0) continue;
     const int a = body_of[size_t(c.i)], b = body_of[size_t(c.j)];
     pressed[size_t(a)] = pressed[size_t(b)] = true;

@@ -75,12 +75,4 @@ int crushed_block(const Model& model, const std::vector<BlockState>& moved) {
   return -1;
 }
 
-double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>& moved) {
-  double largest = 0;
-  for (size_t k = size_t(model.sleeping_contacts); k < model.contacts.size(); ++k)
-    if (model.contacts[k].normal_force > 0)
-      for (const int b : {model.contacts[k].i, model.contacts[k].j}) largest = std::max(largest, std::abs(moved[size_t(b)].angle - model.blocks[size_t(b)].angle));
-  return largest;
-}
-
 }  // namespace talus

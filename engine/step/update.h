@@ -13,8 +13,6 @@ std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, c
 double displacement(const Model& model, int block, const BlockState& to);
 // Largest displacement of any vertex between the model's states and `moved`, m.
 double largest_displacement(const Model& model, const std::vector<BlockState>& moved);
-// rad, by blocks that something presses on.
-double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>& moved);
 
 // A block that `moved` squeezes to less than a tenth of its area, further than it is, or -1: linear elasticity would turn it inside out.
 int crushed_block(const Model& model, const std::vector<BlockState>& moved);

@@ -3,6 +3,7 @@
 -- spins until it bursts, two meet in flight, one breaks on a held floor; with brittle bonds and with such that soften.
 -- Source: energy is not made. (4 s CPU)
 local talus = require "talus"
+local tools = require "tools"
 local u = talus.units
 local rock = talus.material { name = "rock", density = 2500, young = 10*u.GPa, poisson = 0.2 }
 local brittle = talus.joint { name = "brittle", friction = 35*u.deg, cohesion = 4*u.MPa, tension = 1*u.MPa }
@@ -112,4 +113,20 @@ end
 for _, speed in ipairs { 3, 6, 12 } do
   talus.check.below(string.format("disc dropped at %g m/s: unexplained, largest, of the energy at the start", speed),
     largest_unexplained { disc(brittle, 0.15, {2, -speed}), talus.region { name = "floor", outline = talus.rect(-3, -1, 3, -0.52), material = rock, held = true } }, 0.01)
+end
+
+-- A stone of a metre that lands on a pebble of 3 cm, which is set turning by 0.1 rad a step: 6 and 1.5 % of the energy, where steps do not
+-- heed what the work of their contacts is along the gaps as they come to be.
+for _, case in ipairs { { 50*u.GPa, 1 }, { 3.9*u.GPa, 5 } } do
+  local young, speed = table.unpack(case)
+  local random = tools.random(93)
+  local pebble, stone = tools.stone(random, {0, 0.021}, 0.04, 9, 0.8), tools.stone(random, {0.1, 0.62}, 1.1, 7, 1)
+  local soft_rock = talus.material { name = "rock", density = 2500, young = 8*u.GPa, poisson = 0.2 }
+  local sim = talus.simulation { gravity = {0, -9.81}, contact = talus.joint { friction = 0.5 }, time = { t_end = 0.3 }, regions = {
+    talus.region { name = "floor", outline = talus.rect(-3, -1, 3, 0), held = true, material = soft_rock },
+    talus.region { name = "pebble", outline = pebble, material = talus.material { name = "pebble", density = 2500, young = young, poisson = 0.2 } },
+    talus.region { name = "stone", outline = stone, material = soft_rock, velocity = {0.5, -speed}, spin = 0.5 } } }
+  local most = 0
+  for _ in sim:steps() do most = math.max(most, math.abs(sim.energy.unexplained)/sim.energy.scale) end
+  talus.check.below(string.format("stone lands on a pebble at %g m/s: unexplained, largest, of the energy at the start", speed), most, 0.005)
 end

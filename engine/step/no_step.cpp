@@ -1,0 +1,59 @@
+// What is said where no step can be accepted.
+#include <cmath>
+#include <cstdio>
+
+#include "step/step.h"
+
+namespace talus {
+
+void Stepper::give_up(const OpenCloseResult& result, double dt, int crushed) const {
+  char text[400];
+  if (crushed >= 0) {
+    std::snprintf(text, sizeof text,
+                  "t = %.9g s: %s would be squeezed to less than a tenth of its area: a pressure, load or speed of the scene is beyond what "
+                  "material.young, %.3g Pa, holds linearly",
+                  model_.time, block_name(model_, crushed).c_str(), model_.material(crushed).young);
+    throw RunError(text);
+  }
+  if (result.singular_block >= 0 && dt > 0) {
+    std::snprintf(text, sizeof text,
+                  "t = %.9g s: no step down to %.3g s has a solution: the inertia of %s is lost beside its stiffness; give a shorter time.dt",
+                  model_.time, dt, block_name(model_, result.singular_block).c_str());
+    throw RunError(text);
+  }
+  if (result.singular_block >= 0) {
+    std::snprintf(text, sizeof text, "nothing holds %s: fix it, put it on something, or run the scene as dynamic",
+                  block_name(model_, result.singular_block).c_str());
+    throw RunError(text);
+  }
+  if (result.converged) {
+    std::snprintf(text, sizeof text,
+                  "t = %.9g s: in a step of %.3g s a block would move farther than time.displacement_ratio, or turn by more than 0.1 rad, or where time.dt is given the thinnest "
+                  "block, allows, and time.dt_min lets none be shorter: give a smaller one, or a larger ratio",
+                  model_.time, dt);
+    throw RunError(text);
+  }
+  if (gas_ && gas_->gives_up()) {
+    std::snprintf(text, sizeof text, "t = %.9g s: no step down to %.3g s has a gas pressure that agrees with the volume it leads to", model_.time, dt);
+    throw RunError(text);
+  }
+  if (!std::isfinite(result.residual)) {
+    std::snprintf(text, sizeof text,
+                  "t = %.9g s: the forces on %s are beyond the largest number: gravity, a load, a stiffness or a speed of the scene "
+                  "is too large",
+                  model_.time, block_name(model_, std::max(result.worst_block, 0)).c_str());
+    throw RunError(text);
+  }
+  std::snprintf(text, sizeof text,
+                "t = %.9g s: no step down to %.3g s is accepted: after %d iterations the contact forces on %s are out of "
+                "balance by %.3g of what meets there",
+                model_.time, dt, result.iterations, block_name(model_, std::max(result.worst_block, 0)).c_str(),
+                result.residual);
+  std::string message = text;
+  for (const Contact& c : model_.contacts)
+    if ((c.i == result.worst_block || c.j == result.worst_block) && message.size() < 900)
+      message += "; it touches " + block_name(model_, c.i == result.worst_block ? c.j : c.i);
+  throw RunError(message);
+}
+
+}  // namespace talus

@@ -1,0 +1,80 @@
+// Bonds that fail in a step of motion, or before the first one.
+#include <algorithm>
+
+#include "step/part_timer.h"
+#include "step/step.h"
+
+namespace talus {
+
+const std::vector<int>& Stepper::fractures() const {
+  static const std::vector<int> none;
+  return fracture_ ? fracture_->events() : none;
+}
+
+int Stepper::initial_cracks() {
+  prepare_bonds();
+  joints_.store_tractions(model_);
+  fracture_->judge();
+  const std::vector<int> due = fracture_->choose(false);
+  fracture_->fail(due, model_.time);
+  step_size_.broken(model_);
+  return int(due.size());
+}
+
+// Whether bonds fail where the step leads and it is to be taken again. Not in a step shorter than a wave takes through a block, in which a
+// bond cannot feel yet that another has failed: those that are due then fail at the start of the next. `moved` is only lent to the model.
+bool Stepper::breaks(std::vector<BlockState>& moved, double dt, StepReport& report) {
+  PartTimer timer(totals_, "fracture");
+  judged_astray_ = true;  // until the step is accepted
+  model_.blocks.swap(moved);
+  joints_.store_tractions(model_);
+  report.utilisation = std::max(report.utilisation, fracture_->judge());
+  const std::vector<int> due = dt < fracture_->least_transit() ? std::vector<int>{} : fracture_->choose(true);
+  model_.blocks.swap(moved);
+  if (due.empty()) return false;
+  joints_.store_tractions(model_);
+  fail(due, model_.time + dt, true);
+  return true;
+}
+
+// Bonds where the blocks are.
+void Stepper::judge_again() {
+  PartTimer timer(totals_, "fracture");
+  joints_.store_tractions(model_);
+  fracture_->judge();
+  judged_astray_ = false;
+}
+
+// In motion the blocks beside keep as strain what the jump of their bond was to them. Where they strain more than their bond would let
+// them, as in an impact on few blocks, its potential is below nought: without it, and without that strain, they would have more energy.
+void Stepper::fail(const std::vector<int>& due, double time, bool motion) {
+  if (due.empty()) return;
+  const double before = elastic_energy(ledger_.ahead), before_at_x = elastic_energy(0);
+  if (motion)
+    for (const int j : due) {
+      const auto [of_a, of_b] = joints_.strain_of_jump(model_, j, ledger_.ahead);
+      fracture_->add_strain(model_.joints[j].a, of_a);
+      fracture_->add_strain(model_.joints[j].b, of_b);
+    }
+  fracture_->fail(due, time);
+  const double released = before - elastic_energy(ledger_.ahead);
+  released_ += released;
+  released_on_way_ += released - (before_at_x - elastic_energy(0));
+}
+
+// J/m, with which the contacts begin that take over from bonds that have failed in this step.
+double Stepper::contacts_of_events(const StepStart& start) const {
+  const auto& events = fracture_->events();
+  if (events.empty()) return 0;
+  std::vector<char> fails(model_.joints.size(), 0);
+  for (const int j : events) fails[j] = 1;
+  double sum = 0;
+  for (const Contact& c : model_.contacts)
+    if (c.joint >= 0 && fails[c.joint]) {
+      const double pressed = pressed_at_start(model_, c, start);
+      sum += c.normal_stiffness / 2 * pressed * pressed + c.shear_force * c.shear_force / (2 * c.shear_stiffness);
+    }
+  return sum;
+}
+
+}  // namespace talus

@@ -1,0 +1,19 @@
+#pragma once
+// What blocks that turn within a step are pressed by: each contact of a step is a straight line for the whole of it.
+#include <vector>
+
+#include "equations/contact_terms.h"
+#include "equations/scheme.h"
+
+namespace talus {
+
+// rad, by blocks that something presses on as the step begins.
+double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>& moved);
+
+// J/m, by which the work of the normal forces that solve the step along the gaps as they come to be differs from that along the
+// straight lines it was solved with: energy that appears or is lost as blocks turn, Σ N |Δg - n·Δu|, of second order in the angle.
+// `d` solves the step and leads to `moved`.
+double work_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
+                       const std::vector<BlockState>& moved);
+
+}  // namespace talus
