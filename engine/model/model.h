@@ -182,7 +182,8 @@ struct Contact {
   double normal_force = 0, shear_force = 0;  // N; normal positive when pressed together
   double may_part = -1;               // m/s, the most at which what presses here may part, by its restitution; < 0: no bound yet
   bool parts = false;                 // has parted since that bound was set
-  bool held_back = false;             // its blocks were, by a restitution, after the last step: they do not press where its force was found
+  double parting = 0;                 // m/s, at which its bodies did, as rigid ones, at the end of the last step; where a restitution is below 1
+  double deeper = 0;                  // m, that it lies deeper than the contact it has taken over from before this step
   // N, m: of a static run, at the end of the last load step; no number: has taken over from another contact since.
   double load_shear = 0, load_slip = 0;
   // What the contact cannot hold of its sliding is slip: at the end of a step; of a load step, where friction goes by the way from

@@ -217,7 +217,7 @@ void visit_state(Strength& strength, StateVisitor& v) {
 
 void visit_state(Contact& contact, StateVisitor& v) {
   auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset, lies,
-         stretch, slip, normal_force, shear_force, may_part, parts, held_back, load_shear, load_slip, global_vertex, global_edge] = contact;
+         stretch, slip, normal_force, shear_force, may_part, parts, parting, deeper, load_shear, load_slip, global_vertex, global_edge] = contact;
   v("i", i);
   v("vertex", vertex);
   v("j", j);
@@ -238,7 +238,8 @@ void visit_state(Contact& contact, StateVisitor& v) {
   v("shear_force", shear_force);
   v("may_part", may_part);
   v("parts", parts);
-  v("held_back", held_back);
+  v("parting", parting);
+  v("deeper", deeper);
   v("load_shear", load_shear);
   v("load_slip", load_slip);
   v("global_vertex", global_vertex);
@@ -279,13 +280,15 @@ void visit_state(On& on, StateVisitor& v) {
 }
 
 void visit_state(Fixity& fixity, StateVisitor& v) {
-  [[maybe_unused]] auto& [place, name, region, on, held, motion, value, spin] = fixity;
+  [[maybe_unused]] auto& [place, name, region, on, held, motion, value, spin, since, gone] = fixity;
   v.constant("region", region);
   v.constant("on", on);
   v.constant("held", held);
   v("motion", motion);
   v("value", value);
   v("spin", spin);
+  v("since", since);
+  v("gone", gone);
 }
 
 void visit_state(PointLoad& load, StateVisitor& v) {

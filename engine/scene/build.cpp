@@ -104,6 +104,22 @@ void note_cohesion(Model& model) {
                             "\": contacts between blocks carry its friction alone; cohesion and tension are those of bonds and traces");
 }
 
+// Automatic steps stop at the rows of a table, but cannot know where a function will change.
+void note_functions(Model& model) {
+  const Scene& scene = model.scene;
+  const TimeControl& time = scene.time;
+  if (time.mode != Mode::dynamic || time.dt > 0 || time.dt_max > 0 || time.tolerance > 0) return;
+  const auto note = [&](const std::string& what, const std::array<History, 2>& of) {
+    if (of[0].is_function() || of[1].is_function())
+      model.notes.push_back(what + ": a function of time, which automatic steps may pass over between the times they stop at; bound them by "
+                            "time.dt_max, or give a table, at whose rows they stop");
+  };
+  for (const PointLoad& load : scene.point_loads) note("load \"" + load.name + "\"", load.force);
+  for (const EdgeLoad& load : scene.edge_loads) note("load \"" + load.name + "\"", load.traction);
+  for (const Region& region : scene.regions) note("region \"" + region.name + "\": body_force", region.body_force);
+  for (const Fixity& fixity : scene.fixities) note("fix \"" + fixity.name + "\"", fixity.value);
+}
+
 }  // namespace
 
 Model build(Scene scene) {
@@ -125,6 +141,7 @@ Model build(Scene scene) {
   share_fluxes(model);
   scatter_strengths(model);
   note_cohesion(model);
+  note_functions(model);
   model.place_vertices();
   return model;
 }

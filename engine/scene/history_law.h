@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -26,22 +27,31 @@ class History {
     return last->second + (next->second - last->second) * (t - last->first) / (next->first - last->first);
   }
 
-  // ∫ from 0 to t: exact for constants and tables; Gauss's rule with 128 points for functions.
-  double integral(double t) const {
+  // s, the first time after t at which a table bends or jumps, or infinity.
+  double next_bend(double t) const {
+    const auto next = std::upper_bound(table_.begin(), table_.end(), t, [](double a, const auto& row) { return a < row.first; });
+    return next == table_.end() ? std::numeric_limits<double>::infinity() : next->first;
+  }
+
+  bool is_function() const { return bool(function_); }
+
+  // ∫ from `begin` to `end`, not before it: exact for constants and tables; Gauss's rule with 16 points for functions, for no more than a
+  // step, as points that slide over jumps and waves would shake what is moved by them.
+  double integral(double begin, double end) const {
     if (function_) {
-      constexpr int parts = 64;
+      constexpr int parts = 8;
       double sum = 0;
       for (int i = 0; i < parts; ++i)
-        for (double g : {0.21132486540518712, 0.78867513459481288}) sum += at(t * (i + g) / parts);
-      return sum * t / (2 * parts);
+        for (double g : {0.21132486540518712, 0.78867513459481288}) sum += at(begin + (end - begin) * (i + g) / parts);
+      return sum * (end - begin) / (2 * parts);
     }
-    double sum = 0, from = 0;
+    double sum = 0, from = begin;
     for (const auto& row : table_) {
-      if (row.first <= from || row.first >= t) continue;
+      if (row.first <= from || row.first >= end) continue;
       sum += (row.first - from) * (at(from) + row.second) / 2;
       from = row.first;
     }
-    return sum + (t - from) * (at(from) + at(t)) / 2;
+    return sum + (end - from) * (at(from) + at(end)) / 2;
   }
 
   template <class Visitor>  // of the registry, model/registry.h

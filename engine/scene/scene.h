@@ -146,10 +146,18 @@ struct Fixity {
   std::array<History, 2> value;  // m or m/s
   double spin = 0;               // rad/s, about the centroid: only for On::region
 
+  double since = 0;              // s; a motion by velocity goes on from there,
+  Vec2 gone = Vec2::Zero();      // m, where it was
+
   Vec2 moved(double t) const {  // m, since the start, as it asks for; of a region its centroid
     if (motion == none || t <= 0) return Vec2::Zero();
     if (motion == displacement) return {value[0].at(t), value[1].at(t)};
-    return {value[0].integral(t), value[1].integral(t)};
+    return gone + Vec2(value[0].integral(since, t), value[1].integral(since, t));
+  }
+  void go_on(double t) {  // after a step
+    if (motion != velocity || (!value[0].is_function() && !value[1].is_function())) return;
+    gone = moved(t);
+    since = t;
   }
 };
 

@@ -118,8 +118,9 @@ int native_update(lua_State* L) {
   if (!run) return 0;  // of an object that others still use
   run->refuse_inside_step(L, "a change of a " + std::string(luaL_checkstring(L, 5)));
   const auto index = static_cast<int>(luaL_checkinteger(L, 3)) - 1;
-  update_scene(run->simulation.model.scene, luaL_checkstring(L, 2), index, TableReader(L, 4));
-  run->simulation.model.changed();
+  Model& model = run->simulation.model;
+  update_scene(model.scene, luaL_checkstring(L, 2), index, TableReader(L, 4), model.time);
+  model.changed();
   return 0;
 }
 

@@ -343,14 +343,17 @@ Scene read_scene(const TableReader& t) {
   return s;
 }
 
-void update_scene(Scene& scene, const std::string& list, int index, const TableReader& entry) {
+void update_scene(Scene& scene, const std::string& list, int index, const TableReader& entry, double time) {
   const auto i = static_cast<std::size_t>(index);
   if (list == "materials") {
     scene.materials.at(i) = read_material(entry);
   } else if (list == "properties") {
     scene.properties.at(i) = read_property(entry);
   } else if (list == "fixities") {
-    scene.fixities.at(i) = read_fixity(entry);
+    Fixity changed = read_fixity(entry);
+    changed.gone = scene.fixities.at(i).moved(time);
+    changed.since = time;
+    scene.fixities.at(i) = std::move(changed);
   } else if (list == "point_loads") {
     scene.point_loads.at(i) = read_point_load(entry);
   } else if (list == "edge_loads") {

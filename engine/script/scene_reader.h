@@ -11,6 +11,6 @@ Scene read_scene(const TableReader& scene);
 
 // Reads one changed entry of a list of the scene again: `list` is "materials", "properties", "fixities",
 // "point_loads" or "edge_loads".
-void update_scene(Scene& scene, const std::string& list, int index, const TableReader& entry);
+void update_scene(Scene& scene, const std::string& list, int index, const TableReader& entry, double time);
 
 }  // namespace talus

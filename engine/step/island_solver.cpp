@@ -205,8 +205,9 @@ void IslandSolver::watch(const Step& step, const Vector& d, IslandResult& result
 void IslandSolver::store(Model& model, const ContactTerms& contacts, const Vector& d, bool motion) const {
   const auto left = [this](int block) { return islands_.of(block) < 0 || rest(block) == Rest::rests; };
   for (const ContactRows& row : contacts.rows()) {
-    if (left(row.i) && left(row.j)) continue;
     Contact& contact = model.contacts[row.contact];
+    contact.deeper = 0;
+    if (left(row.i) && left(row.j)) continue;
     OpenClose::store(row, contacts.factor(), d, contact);
     if (motion) contact.end_sliding();
   }

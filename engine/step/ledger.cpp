@@ -50,15 +50,9 @@ void book_linear(const BookedStep& s, Ledger& ledger) {
   ledger.viscous_work += viscous_form(model, s.poses, step, step) / s.scheme.dt;
 }
 
-struct GapRate {
-  double gap, rate;  // m, m/s
-};
-GapRate gap_of(const Model& model, const Contact& c, const std::vector<Vec2>& vertex) {
-  const Vec2 from = vertex[c.global_edge], at = vertex[c.global_vertex];
-  const Vec2 to = vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)];
-  const Vec2 normal = -perp(to - from).normalized();
-  const double gap = normal.dot(at - from);
-  return {gap, normal.dot(model.corner_velocity(c.i, c.vertex) - model.velocity_on_edge(c.j, c.edge, at - gap * normal))};
+double gap_of(const Model& model, const Contact& c) {
+  const Vec2 from = model.vertex[c.global_edge], to = model.vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)];
+  return cross(model.vertex[c.global_vertex] - from, (to - from).normalized());
 }
 
 double squared(double x) {
@@ -66,8 +60,8 @@ double squared(double x) {
 }
 
 void keep_largest(Ledger& ledger) {
-  ledger.largest_work =
-      std::max(ledger.largest_work, std::abs(ledger.gravity_work + ledger.external_work + ledger.gas_work + ledger.boundary_work));
+  for (const double work : {ledger.gravity_work, ledger.external_work, ledger.gas_work, ledger.boundary_work})
+    ledger.largest_work = std::max(ledger.largest_work, std::abs(work));
 }
 
 }  // namespace
@@ -146,39 +140,18 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   keep_largest(ledger);
 }
 
-// How far a gap judged along straight lines may be off at the end of a step of `seconds`: what turns, times what
-// moves (m). Without turning, gaps are exact.
-double bend(const Model& model, const Contact& c, double seconds) {
-  double turn = 0, way = 0;
-  for (int b : {c.i, c.j}) {
-    const auto& v = model.blocks[b].velocity;
-    const double own = seconds * std::hypot(v[2], v[3], v[4]) / model.shapes[b].length;
-    turn += own;
-    way += seconds * std::hypot(v[0], v[1]) + own * model.shapes[b].radius;
-  }
-  return turn * way;
+double pressed_at_start(const Contact& c) {
+  return c.normal_force > 0 ? std::max(0.0, c.normal_force / c.normal_stiffness + c.deeper) : 0;
 }
 
-double pressed_at_start(const Model& model, const Contact& c, const StepStart& start) {
-  const auto as_placed = [&](const std::vector<Vec2>& vertex, double ahead) {
-    const auto [gap, rate] = gap_of(model, c, vertex);
-    return std::max(0.0, -(gap + c.offset + ahead * rate));
-  };
-  const double pressed = c.normal_force / c.normal_stiffness, placed = as_placed(start.vertex, start.ahead_before);
-  const bool handed = !c.held_back && std::abs(placed - pressed) > bend(model, c, start.seconds) + 1e-6 * model.shapes[c.i].length;
-  // At the y of this step too: what has been met at it, or was forgiven as the step changed, is no load.
-  return handed ? std::min(placed, as_placed(model.vertex, start.ahead)) : pressed;
-}
-
-ContactBooking::ContactBooking(const Model& model, const StepStart& start) {
-  for (const Contact& c : model.awake_contacts())
-    before_.push_back({gap_of(model, c, model.vertex).gap, pressed_at_start(model, c, start), c.stretch, c.slip});
+ContactBooking::ContactBooking(const Model& model) {
+  for (const Contact& c : model.awake_contacts()) before_.push_back({gap_of(model, c), pressed_at_start(c), c.stretch, c.slip});
 }
 
 // Loss of a contact along X: -N Δg less the spring's gain. For a gap that is linear in y this is the convexity gap
 // N (p1 - p0) - ½ kn (p1² - p0²) >= 0 and N·ahead·Δġ; Δg is measured on the blocks as they lie, so that a contact
-// on which a block pivots, whose gap does not change, loses nothing. One that comes into the step pressed
-// otherwise than its force says was handed over: what it gives or takes is not the integrator's. In shear likewise
+// on which a block pivots, whose gap does not change, loses nothing. What one that has taken over from
+// another is pressed more or less than its force says is not the integrator's. In shear likewise
 // ½ ks (Δstretch)² and -T·ahead·Δṡ, and |T|·Δslip is friction's.
 void ContactBooking::book(const Model& model, const std::vector<ContactRows>& rows, const Scheme& scheme,
                           const Vector& d, Ledger& ledger) const {
@@ -187,7 +160,7 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
     const Before& b = before_[k];
     if (c.normal_force > 0 || b.pressed > 0) {
       const double pressed = c.normal_force / c.normal_stiffness;
-      ledger.numerical_flow += -c.normal_force * (gap_of(model, c, model.vertex).gap - b.gap) -
+      ledger.numerical_flow += -c.normal_force * (gap_of(model, c) - b.gap) -
                                c.normal_stiffness / 2 * (squared(pressed) - squared(b.pressed));
     }
     if (c.stretch != 0 || b.stretch != 0)

@@ -31,7 +31,7 @@ struct Ledger {
   double numerical_flow = 0;  // the integrator's loss but for what is read off the state (start_shift)
   double start_energy = 0;    // kinetic and stored, at y
   double start_shift = 0;     // strain and gravity energy at y less those at X
-  double largest_work = 0;    // largest magnitude of gravity, external and boundary work so far
+  double largest_work = 0;    // largest magnitude of gravity, external, gas or boundary work so far
 
   double scale() const { return std::max(start_energy, largest_work); }  // that errors are measured by
 };
@@ -74,20 +74,13 @@ double weigh(Model& model, const Scheme& scheme, double lost);
 // Blocks on their way up are weighed nearer to X, as far as takes off what a step of another length has gained.
 void weigh_nearer(Model& model, double gained);
 
-// Where a step begins.
-struct StepStart {
-  const std::vector<Vec2>& vertex;  // before X was moved as the step changed,
-  double ahead_before;              // s, when y was this far from it
-  double ahead, seconds;            // of the step
-};
-// m, by which a contact's spring is pressed as a step begins: by its force. Where its blocks were placed otherwise at the last y, as it has
-// been handed over or takes over from a bond, as they lie, at that y or at this step's, whichever is less; not where a restitution held them back.
-double pressed_at_start(const Model& model, const Contact& contact, const StepStart& start);
+// m, by which a contact's spring is pressed as a step begins: by its force, and where it has taken over from another as much more as it lies deeper.
+double pressed_at_start(const Contact& contact);
 
 // Contacts of what is awake before and after a step.
 class ContactBooking {
  public:
-  ContactBooking(const Model& model, const StepStart& start);
+  explicit ContactBooking(const Model& model);
   // The model is that after the step, with the contacts' new forces; `d` and `rows` are the step's.
   void book(const Model& model, const std::vector<ContactRows>& rows, const Scheme& scheme, const Vector& d,
             Ledger& ledger) const;

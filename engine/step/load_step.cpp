@@ -123,7 +123,7 @@ StepReport Stepper::break_bonds(const std::vector<int>& due) {
   released_ = 0;
   fail(due, model_.time, false);
   search_.update(model_, 0);
-  const double released = released_ - contacts_of_events({model_.vertex, 0, 0, 0});
+  const double released = released_ - contacts_of_events();
   const Closure closure(model_, joints_, due);
   const BridgeBooking bridges(model_);
   Restored at_failure(model_);

@@ -60,7 +60,6 @@ class Bodies {
     body.velocity += impulse / body.mass * way(row);
     body.spin += impulse * moment(block, row) / body.inertia;
   }
-  bool pushed(const Bodies& before, int block) const { return of(block).velocity != before.of(block).velocity || of(block).spin != before.of(block).spin; }
 
  private:
   static Vec2 way(const Row& row) { return {row[0], row[1]}; }
@@ -129,14 +128,13 @@ Restitution::Restitution(const Model& model, const ContactTerms& contacts) {
     parted_.push_back(parting(bodies, row.i, rigid(row.normal_i), row.j, rigid(row.normal_j)));
 }
 
-double Restitution::limit(Model& model, const ContactTerms& contacts, const Scheme& scheme) const {
+Restitution::Taken Restitution::limit(Model& model, const ContactTerms& contacts, const Scheme& scheme) const {
   const Bodies before(model);
   std::vector<Opened> opened;
   for (size_t k = 0; k < contacts.rows().size(); ++k) {
     const ContactRows& row = contacts.rows()[k];
     Contact& contact = model.contacts[size_t(row.contact)];
     const double part = model.scene.properties[size_t(contact.property)].restitution;
-    contact.held_back = false;
     if (part == 1) continue;
     const double parted = parted_[k];
     if (contact.parts && parted < 0) contact.may_part = -1, contact.parts = false;  // it comes back
@@ -145,20 +143,26 @@ double Restitution::limit(Model& model, const ContactTerms& contacts, const Sche
       continue;
     }
     if (contact.may_part < 0) continue;
-    Opened own{.i = row.i, .j = row.j, .of_i = rigid(row.normal_i), .of_j = rigid(row.normal_j), .most = contact.may_part};
+    Opened own{.i = row.i, .j = row.j, .of_i = rigid(row.normal_i), .of_j = rigid(row.normal_j)};
     const double now = parting(before, own.i, own.of_i, own.j, own.of_j), gap = contact.gap + contact.offset;  // at y = X + ahead v
+    own.most = contact.may_part += std::max(0.0, now - contact.parting);
     contact.parts = contact.parts || now > 0;
     if (scheme.bond_ahead > 0) own.most = std::max(own.most, now - gap / scheme.bond_ahead);
     if (now <= own.most) continue;
     own.mobility = before.mobility(own.i, own.of_i) + before.mobility(own.j, own.of_j);
     if (own.mobility > 0) opened.push_back(own);
   }
-  if (opened.empty()) return 0;
   Bodies bodies = before;
   hold_back(bodies, opened);
   for (const ContactRows& row : contacts.rows())
-    model.contacts[size_t(row.contact)].held_back = bodies.pushed(before, row.i) || bodies.pushed(before, row.j);
-  return move_with(bodies, before, opened, model);
+    model.contacts[size_t(row.contact)].parting = parting(bodies, row.i, rigid(row.normal_i), row.j, rigid(row.normal_j));
+  if (opened.empty()) return {};
+  Taken taken;
+  for (const Opened& contact : opened)
+    for (const auto& [block, row] : {std::pair(contact.i, contact.of_i), std::pair(contact.j, contact.of_j)})
+      if (model.shapes[size_t(block)].dofs == 0) taken.boundary_work += contact.impulse * bodies.rate(block, row);
+  taken.energy = move_with(bodies, before, opened, model) + taken.boundary_work;
+  return taken;
 }
 
 }  // namespace talus

@@ -10,9 +10,14 @@ namespace talus {
 class Restitution {
  public:
   Restitution(const Model& model, const ContactTerms& contacts);
+  struct Taken {
+    double energy = 0;         // J/m, that the impacts have dissipated
+    double boundary_work = 0;  // J/m, of held blocks that move, by the impulses on them
+  };
   // After it: contacts that have opened part no faster than they may, by the impulses along their normals that take the least energy,
-  // as far as that leaves them open where forces are judged. Returns the kinetic energy taken, J/m.
-  double limit(Model& model, const ContactTerms& contacts, const Scheme& scheme) const;
+  // as far as that leaves them open where forces are judged. What parts them while they are open, be it a load, a support or another
+  // contact, is no rebound of theirs.
+  Taken limit(Model& model, const ContactTerms& contacts, const Scheme& scheme) const;
 
  private:
   std::vector<double> parted_;  // m/s, per row, as the step began

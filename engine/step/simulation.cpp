@@ -93,6 +93,7 @@ StepReport Simulation::take_step() {
   last = half_steps_ ? half_steps_->step()
          : plan.dynamic ? stepper_->dynamic_step()
                         : stepper_->load_step(next_load(), totals.steps == 0);
+  for (Fixity& fixity : model.scene.fixities) fixity.go_on(model.time);
   ++totals.steps;
   totals.failures += last.failures;
   totals.largest_utilisation = std::max(totals.largest_utilisation, last.utilisation);

@@ -55,7 +55,6 @@ class Attempt {
     blocks_ = model_.blocks;
     vertex_ = model_.vertex;
   }
-  const std::vector<Vec2>& vertex_before() const { return blocks_.empty() ? model_.vertex : vertex_; }
   double ahead_before() const { return before_.ahead; }
   void again() {  // the same step, with the bonds that have failed in it
     model_.contacts.resize(size_t(model_.sleeping_contacts));
@@ -91,10 +90,15 @@ Scheme Stepper::scheme(double dt) const {
 }
 
 double Stepper::next_dt() const {
-  const double dt = step_size_.next(model_.time);
+  double dt = step_size_.next(model_.time);
+  const double least = step_size_.least();
+  if (step_size_.automatic()) {
+    const double until = next_bend(model_.scene, model_.time + least) - model_.time;
+    dt = until < dt ? until : until < 2 * dt ? until / 2 : dt;  // the last one before it is no short one
+  }
   if (!gas_) return dt;
   const double until = gas_->next_detonation() - model_.time;
-  return until > step_size_.least() ? std::min(dt, until) : dt;
+  return until > least ? std::min(dt, until) : dt;
 }
 
 StepReport Stepper::dynamic_step(double most) {
@@ -142,7 +146,7 @@ StepReport Stepper::dynamic_step(double most) {
         search_.update(model_, dt, seen);
       }
       if (fracture_) {
-        released = released_ - contacts_of_events({attempt.vertex_before(), attempt.ahead_before(), scheme.bond_ahead, dt});
+        released = released_ - contacts_of_events();
         bridge_booking.emplace(model_);
         bridge_motion_.begin(model_);
       }
@@ -192,7 +196,7 @@ StepReport Stepper::dynamic_step(double most) {
     const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved, dt) : std::vector<double>{};
     std::optional<Restitution> restitution;
     if (plan_.restitution) restitution.emplace(model_, contacts_);
-    const double gained = accept(std::move(moved), scheme, d, contacts_at_start({attempt.vertex_before(), attempt.ahead_before(), scheme.bond_ahead, dt}), start);
+    const double gained = accept(std::move(moved), scheme, d, contacts_at_start(), start);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
     if (start && !regretted && gained > most_gain * start->stored()) {
       step_size_.regret(dt * attempt.ahead_before() / scheme.bond_ahead);
@@ -216,7 +220,11 @@ StepReport Stepper::dynamic_step(double most) {
       if (report.failures > 0) step_size_.broken(model_);
     }
     // Before contacts are put in another order for what falls asleep.
-    if (restitution) ledger_.damping_work += restitution->limit(model_, contacts_, scheme);
+    if (restitution) {
+      const Restitution::Taken taken = restitution->limit(model_, contacts_, scheme);
+      ledger_.damping_work += taken.energy;
+      ledger_.boundary_work += taken.boundary_work;
+    }
     if (numerics.sleeping && report.failures == 0) sleep_.fall_asleep(model_, islands_, search_.near());
     ledger_.damping_work += damp(model_, kept);
     const double end = model_.scene.time.t_end;
@@ -378,10 +386,10 @@ bool Stepper::all_still() const {
   return true;
 }
 
-std::optional<ContactBooking> Stepper::contacts_at_start(const StepStart& start) {
+std::optional<ContactBooking> Stepper::contacts_at_start() {
   PartTimer timer(totals_, "update");
   if (all_still()) return {};
-  return ContactBooking(model_, start);
+  return ContactBooking(model_);
 }
 
 double Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,

@@ -96,7 +96,7 @@ class Stepper {
   void judge_again();
   void change_step(double ahead);
   void fail(const std::vector<int>& due, double time, bool motion);
-  double contacts_of_events(const StepStart& start) const;
+  double contacts_of_events() const;
   double elastic_energy(double ahead);
   bool settled(const Scheme& scheme, const Vector& d);
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
@@ -108,8 +108,8 @@ class Stepper {
   void keep_rest(std::vector<BlockState>& moved);
   void count(const IslandResult& result);
   bool all_still() const;
-  // For the ledger; none where nothing has moved in the step, and nothing did before it. As the attempt has them from before the step was changed.
-  std::optional<ContactBooking> contacts_at_start(const StepStart& start);
+  // For the ledger; none where nothing has moved in the step, and nothing did before it.
+  std::optional<ContactBooking> contacts_at_start();
   // `booking`: of a step in motion; without it such a step has nothing to book.
   // Returns what the step has added to the energy it began with, where that is given.
   double accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking = {},

@@ -63,7 +63,7 @@ void Stepper::fail(const std::vector<int>& due, double time, bool motion) {
 }
 
 // J/m, with which the contacts begin that take over from bonds that have failed in this step.
-double Stepper::contacts_of_events(const StepStart& start) const {
+double Stepper::contacts_of_events() const {
   const auto& events = fracture_->events();
   if (events.empty()) return 0;
   std::vector<char> fails(model_.joints.size(), 0);
@@ -71,7 +71,7 @@ double Stepper::contacts_of_events(const StepStart& start) const {
   double sum = 0;
   for (const Contact& c : model_.contacts)
     if (c.joint >= 0 && fails[c.joint]) {
-      const double pressed = pressed_at_start(model_, c, start);
+      const double pressed = pressed_at_start(c);
       sum += c.normal_stiffness / 2 * pressed * pressed + c.shear_force * c.shear_force / (2 * c.shear_stiffness);
     }
   return sum;

@@ -62,6 +62,18 @@ double thinnest_thing(const Model& model) {
 
 }  // namespace
 
+double next_bend(const Scene& scene, double time) {
+  double next = std::numeric_limits<double>::infinity();
+  const auto heed = [&](const std::array<History, 2>& of) {
+    for (const History& history : of) next = std::min(next, history.next_bend(time));
+  };
+  for (const PointLoad& load : scene.point_loads) heed(load.force);
+  for (const EdgeLoad& load : scene.edge_loads) heed(load.traction);
+  for (const Region& region : scene.regions) heed(region.body_force);
+  for (const Fixity& fixity : scene.fixities) heed(fixity.value);
+  return next;
+}
+
 StepSize::StepSize(const Model& model, bool contacts) : caution_(caution), worth_(most_effort), growth_(most_growth), since_split_(caution_where_split) {
   const TimeControl& time = model.scene.time;
   limit_ = time.displacement_ratio * model.extent;

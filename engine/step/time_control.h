@@ -6,6 +6,9 @@
 
 namespace talus {
 
+// s, the first time after `time` at which a table of a load, support or body force bends or jumps, or infinity: an automatic step ends there.
+double next_bend(const Scene& scene, double time);
+
 class StepSize {
  public:
   StepSize(const Model& model, bool contacts);
@@ -32,6 +35,7 @@ class StepSize {
   // effort: what the solution took, in factors. split_anew: part of what moves whose contacts only the splitting solved, where it did not before.
   void accepted(double dt, double displacement, double effort, double split_anew);
   double least() const { return least_; }
+  bool automatic() const { return automatic_; }
   // The bounds come from the scene; a restart may have set others.
   template <class Visitor>  // of the registry, model/registry.h
   void visit_state(Visitor& visitor) {

@@ -70,7 +70,8 @@ void print_row(const Problem& problem, const Named& candidate, const Outcome& ou
   std::fflush(stdout);
 }
 
-// own: the residual at which the engine took the step, or 0 where it had to cut it or began again from where it had got to.
+// own: the residual at which the engine took the step, or 0 where it had to cut it or began again from where it had got to, or used the splitting,
+// which an island that needed it in the step before gets at once.
 void compare(Problem& problem, double own, Tallies& tallies) {
   if (Desk(problem).count() == 0) throw std::runtime_error(problem.name + ": nothing touches in this step");
   problem.bare = bare_cost(problem, 10);
@@ -132,7 +133,8 @@ void check(Problem& problem, double, Tallies& tallies) {
 bool study(const std::string& folder, const Entry& entry, decltype(&compare) use, Tallies& tallies) {
   Problem problem;
   bool found = false;
-  int assembled = 0;  // times, for that step
+  int assembled = 0;   // times, for that step
+  long splittings = 0;  // iterations, before it
   SessionOptions options;
   options.script = folder + "/" + entry.scene;
   options.parameters = entry.parameters;
@@ -144,14 +146,14 @@ bool study(const std::string& folder, const Entry& entry, decltype(&compare) use
     simulation.stepper().on_assembled = [&, tried](const Scheme& scheme, const System& system,
                                                    const ContactTerms& contacts) mutable {
       if (simulation.totals.steps + 1 != simulation.model.scene.time.max_steps) return;
-      ++assembled;
+      if (++assembled == 1) splittings = simulation.totals.splittings;
       if (tried == 0) tried = scheme.dt;
       if (scheme.dt == tried) problem = {entry.name, simulation.model, scheme, system, contacts};
     };
     simulation.on_step.emplace_back([&](Simulation& now) {
       if (now.totals.steps != now.model.scene.time.max_steps) return;
       found = true;
-      use(problem, assembled == 1 ? now.last.residual : 0, tallies);
+      use(problem, assembled == 1 && now.totals.splittings == splittings ? now.last.residual : 0, tallies);
       problem = {};  // laws of the script go before it
     });
   };
