@@ -182,6 +182,7 @@ struct Contact {
   double normal_force = 0, shear_force = 0;  // N; normal positive when pressed together
   double may_part = -1;               // m/s, the most at which what presses here may part, by its restitution; < 0: no bound yet
   bool parts = false;                 // has parted since that bound was set
+  double lifted = 0;                  // m/s, by which it may part faster, as it has come to that while it was open
   double parting = 0;                 // m/s, at which its bodies did, as rigid ones, at the end of the last step; where a restitution is below 1
   double deeper = 0;                  // m, that it lies deeper than the contact it has taken over from before this step
   // N, m: of a static run, at the end of the last load step; no number: has taken over from another contact since.

@@ -217,7 +217,7 @@ void visit_state(Strength& strength, StateVisitor& v) {
 
 void visit_state(Contact& contact, StateVisitor& v) {
   auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset, lies,
-         stretch, slip, normal_force, shear_force, may_part, parts, parting, deeper, load_shear, load_slip, global_vertex, global_edge] = contact;
+         stretch, slip, normal_force, shear_force, may_part, parts, lifted, parting, deeper, load_shear, load_slip, global_vertex, global_edge] = contact;
   v("i", i);
   v("vertex", vertex);
   v("j", j);
@@ -238,6 +238,7 @@ void visit_state(Contact& contact, StateVisitor& v) {
   v("shear_force", shear_force);
   v("may_part", may_part);
   v("parts", parts);
+  v("lifted", lifted);
   v("parting", parting);
   v("deeper", deeper);
   v("load_shear", load_shear);

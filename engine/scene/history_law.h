@@ -27,6 +27,10 @@ class History {
     return last->second + (next->second - last->second) * (t - last->first) / (next->first - last->first);
   }
 
+  double just_before(double t) const {  // where it jumps at t, what it jumps from; of constants and tables
+    const auto next = std::lower_bound(table_.begin(), table_.end(), t, [](const auto& row, double a) { return row.first < a; });
+    return next != table_.end() && next->first == t ? next->second : at(t);
+  }
   // s, the first time after t at which a table bends or jumps, or infinity.
   double next_bend(double t) const {
     const auto next = std::upper_bound(table_.begin(), table_.end(), t, [](double a, const auto& row) { return a < row.first; });
@@ -51,7 +55,7 @@ class History {
       sum += (row.first - from) * (at(from) + row.second) / 2;
       from = row.first;
     }
-    return sum + (end - from) * (at(from) + at(end)) / 2;
+    return sum + (end - from) * (at(from) + just_before(end)) / 2;
   }
 
   template <class Visitor>  // of the registry, model/registry.h

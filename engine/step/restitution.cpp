@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -98,17 +99,20 @@ void hold_back(Bodies& bodies, std::vector<Opened>& opened) {
   }
 }
 
-// What the bodies of opened contacts have changed by. Returns the kinetic energy that it took, J/m.
-double move_with(const Bodies& bodies, const Bodies& before, const std::vector<Opened>& opened, Model& model) {
+// Moves blocks with the bodies of opened contacts. What that took, J/m, beside what held blocks have `given`. Blocks that ring turn with their
+// strains, and a change of spin may give them energy: where all of it together would, nothing moves, and the next step is another time.
+std::optional<double> move_with(const Bodies& bodies, const Bodies& before, const std::vector<Opened>& opened, double given, Model& model) {
   std::set<int> pushed;
   for (const Opened& contact : opened) pushed.insert({bodies.body(contact.i), bodies.body(contact.j)});
-  double taken = 0;
+  std::vector<std::pair<int, std::array<double, max_dofs>>> kept;
+  double taken = given;
   for (const int body : pushed) {
     const int first = bodies.blocks(body)[0];
     const Body &is = bodies.of(first), &was = before.of(first);
     const double faster = is.spin - was.spin;
     for (const int b : bodies.blocks(body)) {
       BlockState& state = model.blocks[size_t(b)];
+      kept.emplace_back(b, state.velocity);
       taken += kinetic_energy(model, b, 0);
       const Vec2 change = is.velocity - was.velocity + faster * perp(Vec2(state.centroid - is.centroid));
       state.velocity[0] += change.x();
@@ -117,7 +121,9 @@ double move_with(const Bodies& bodies, const Bodies& before, const std::vector<O
       taken -= kinetic_energy(model, b, 0);
     }
   }
-  return taken;
+  if (taken >= 0) return taken;
+  for (const auto& [b, velocity] : kept) model.blocks[size_t(b)].velocity = velocity;
+  return {};
 }
 
 }  // namespace
@@ -139,13 +145,15 @@ Restitution::Taken Restitution::limit(Model& model, const ContactTerms& contacts
     const double parted = parted_[k];
     if (contact.parts && parted < 0) contact.may_part = -1, contact.parts = false;  // it comes back
     if (contact.normal_force > 0) {
+      contact.lifted = 0;
       contact.may_part = std::max(contact.may_part, parted < 0 ? -part * parted : contact.may_part < 0 ? parted : 0);
       continue;
     }
     if (contact.may_part < 0) continue;
     Opened own{.i = row.i, .j = row.j, .of_i = rigid(row.normal_i), .of_j = rigid(row.normal_j)};
     const double now = parting(before, own.i, own.of_i, own.j, own.of_j), gap = contact.gap + contact.offset;  // at y = X + ahead v
-    own.most = contact.may_part += std::max(0.0, now - contact.parting);
+    contact.lifted = std::max(0.0, contact.lifted + now - contact.parting);
+    own.most = contact.may_part + contact.lifted;
     contact.parts = contact.parts || now > 0;
     if (scheme.bond_ahead > 0) own.most = std::max(own.most, now - gap / scheme.bond_ahead);
     if (now <= own.most) continue;
@@ -154,14 +162,15 @@ Restitution::Taken Restitution::limit(Model& model, const ContactTerms& contacts
   }
   Bodies bodies = before;
   hold_back(bodies, opened);
-  for (const ContactRows& row : contacts.rows())
-    model.contacts[size_t(row.contact)].parting = parting(bodies, row.i, rigid(row.normal_i), row.j, rigid(row.normal_j));
-  if (opened.empty()) return {};
   Taken taken;
   for (const Opened& contact : opened)
     for (const auto& [block, row] : {std::pair(contact.i, contact.of_i), std::pair(contact.j, contact.of_j)})
       if (model.shapes[size_t(block)].dofs == 0) taken.boundary_work += contact.impulse * bodies.rate(block, row);
-  taken.energy = move_with(bodies, before, opened, model) + taken.boundary_work;
+  const std::optional<double> moved = move_with(bodies, before, opened, taken.boundary_work, model);
+  for (const ContactRows& row : contacts.rows())
+    model.contacts[size_t(row.contact)].parting = parting(moved ? bodies : before, row.i, rigid(row.normal_i), row.j, rigid(row.normal_j));
+  if (!moved) return {};
+  taken.energy = *moved;
   return taken;
 }
 

@@ -90,15 +90,10 @@ Scheme Stepper::scheme(double dt) const {
 }
 
 double Stepper::next_dt() const {
-  double dt = step_size_.next(model_.time);
-  const double least = step_size_.least();
-  if (step_size_.automatic()) {
-    const double until = next_bend(model_.scene, model_.time + least) - model_.time;
-    dt = until < dt ? until : until < 2 * dt ? until / 2 : dt;  // the last one before it is no short one
-  }
+  const double dt = step_size_.next(model_.time);
   if (!gas_) return dt;
   const double until = gas_->next_detonation() - model_.time;
-  return until > least ? std::min(dt, until) : dt;
+  return until > step_size_.least() ? std::min(dt, until) : dt;
 }
 
 StepReport Stepper::dynamic_step(double most) {
@@ -109,6 +104,7 @@ StepReport Stepper::dynamic_step(double most) {
     gas_->detonate(step_size_.least());
     step_size_.at_most(gas_->longest_step());
   }
+  step_size_.stop_in(next_bend(model_.scene, model_.time + step_size_.least()) - model_.time);
   bool regretted = false;
   for (double dt = std::min(next_dt(), most);; dt = std::min(next_dt(), most), ++report.cuts) {
     effort_ = split_anew_ = released_ = released_on_way_ = 0;
@@ -198,8 +194,8 @@ StepReport Stepper::dynamic_step(double most) {
     if (plan_.restitution) restitution.emplace(model_, contacts_);
     const double gained = accept(std::move(moved), scheme, d, contacts_at_start(), start);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
-    if (start && !regretted && gained > most_gain * start->stored()) {
-      step_size_.regret(dt * attempt.ahead_before() / scheme.bond_ahead);
+    if (start && !regretted && step_size_.may_regret() && gained > most_gain * start->stored()) {
+      step_size_.regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead);
       regretted = weighed_late_ = true;
       ++totals_.cuts;
       continue;

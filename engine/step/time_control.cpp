@@ -82,7 +82,7 @@ StepSize::StepSize(const Model& model, bool contacts) : caution_(caution), worth
   thinnest_ = contacts && !automatic_ ? thinnest_thing(model) : std::numeric_limits<double>::infinity();
   every_ = model.scene.output.every;
   end_ = time.t_end;
-  most_ = time.dt_max > 0 ? time.dt_max : automatic_ ? end_ / 10 : time.dt;
+  most_ = !automatic_ ? time.dt : time.dt_max > 0 ? time.dt_max : end_ / 10;
   dt_ = std::min(most_, automatic_ ? first_step(model, limit_) : time.dt);
   least_ = time.dt_min > 0 ? time.dt_min : 1e-6 * dt_;
 }

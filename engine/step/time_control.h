@@ -28,14 +28,19 @@ class StepSize {
   void at_most(double seconds) {  // the next one, where steps are automatic
     if (automatic_) dt_ = std::min(dt_, std::max(seconds, least_));
   }
-  void regret(double last) {  // a change from `last`: that length again, and then slowly on
-    dt_ = std::min(last, most_);
+  void stop_in(double seconds) {  // an automatic step, and the one before it is no short one
+    if (automatic_ && seconds < 2 * dt_) dt_ = std::max(least_, seconds <= dt_ ? seconds : seconds / 2);
+  }
+  // A change to `dt` from `last`: that length again, or half of dt where that is more, and then slowly on. Not again meanwhile: where each
+  // change is one to regret, steps would only ever become shorter.
+  bool may_regret() const { return cautious_ == 0; }
+  void regret(double dt, double last) {
+    dt_ = std::clamp(last, std::max(least_, dt / 2), most_);
     cautious_ = caution_;
   }
   // effort: what the solution took, in factors. split_anew: part of what moves whose contacts only the splitting solved, where it did not before.
   void accepted(double dt, double displacement, double effort, double split_anew);
   double least() const { return least_; }
-  bool automatic() const { return automatic_; }
   // The bounds come from the scene; a restart may have set others.
   template <class Visitor>  // of the registry, model/registry.h
   void visit_state(Visitor& visitor) {

@@ -156,3 +156,20 @@ for _, seed in ipairs { 1, 3 } do
   talus.check.below(string.format("stones that fall into a box, seed %d: unexplained, largest, of the scale", seed),
     unexplained { gravity = {0, -9.81}, contact = talus.joint { friction = 0.6 }, regions = regions, time = { t_end = 1.5 } }, 0.01)
 end
+
+-- A box that slides on to a slab which stands out: steps that it climbs, that it goes over, and that stop it.
+for _, height in ipairs { 1e-6, 1e-5, 3e-5, 9e-5, 1e-3, 5e-3, 2e-2 } do
+  talus.check.below(string.format("box slides on to a slab that stands out by %g m: unexplained, largest, of the scale", height), unexplained {
+    gravity = {0, -9.81}, contact = talus.joint { friction = 0.1 }, regions = {
+      talus.region { name = "slabs", blocks = { talus.rect(-3, -1, 0, 0), talus.rect(0, -1, 3, height) }, held = true, material = rock },
+      talus.region { name = "box", outline = talus.rect(-1.3013, 0, -0.3013, 1), material = rock, velocity = {2, 0} } },
+    time = { t_end = 0.5, start = "settled" } }, 0.01)
+end
+
+-- A blow of 0.1 ms on a block at rest, whose automatic steps are of 0.1 s before it and go on from its own length after it.
+talus.check.below("block under a short blow: unexplained, largest, of the scale", unexplained {
+  gravity = {0, -9.81}, contact = talus.joint { friction = 0.6 }, regions = {
+    talus.region { name = "floor", outline = talus.rect(-3, -1, 3, 0), held = true, material = rock },
+    talus.region { name = "block", outline = talus.rect(-0.5, 0, 0.5, 1), material = rock } },
+  loads = { talus.point_load { region = "block", at = {0, 1}, force = { { {0, 0}, {0.5, 0}, {0.5001, 1*u.MN}, {0.5002, 0} }, 0 } } },
+  time = { t_end = 1 } }, 1e-3)
