@@ -138,7 +138,7 @@ void step_over(const Model& model, const Contact& old, Contact& c) {
 }
 
 // State of the contacts that go on, and of those that hand over.
-// `cracked`: bonds have failed since the last search.
+// `cracked`: bonds have failed in this step.
 void carry_over(const Model& model, double dt, bool cracked, std::vector<Contact>& now) {
   std::unordered_map<std::int64_t, const Contact*> before;
   for (const Contact& c : model.awake_contacts()) before[c.key()] = &c;
@@ -369,7 +369,7 @@ std::vector<std::pair<int, int>> ContactSearch::near(const Model& model, const s
 
 bool ContactSearch::bonded(int a, int b) const { return bonded_.contains(pair_key(a, b)); }
 
-void ContactSearch::update(Model& model, double dt, const std::vector<BlockState>& seen) {
+void ContactSearch::update(Model& model, double dt, const std::vector<BlockState>& seen, bool cracked) {
   const int intact = intact_joints_;
   find_surface(model);
   if (model.time > time_) {
@@ -389,7 +389,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   if (!seen.empty()) seen_.clear();  // another search than that of these velocities
   drop_points(model, meeting, bonded_, now);
   std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
-  carry_over(model, dt, intact >= 0 && intact != intact_joints_, now);
+  carry_over(model, dt, cracked, now);
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());
   if (dt > 0 && dt < shorter * last_dt_) forgive_depth(model, dt);

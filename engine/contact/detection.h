@@ -52,14 +52,15 @@ class ContactSearch {
   // Replaces the contacts of what is awake by the candidates of the next step, in order of (vertex, edge). Contacts that go
   // on keep their state; one that hands over to a neighbouring edge or to its partner's vertex passes it on.
   // `seen`, if any: where a solution of the step led; what that did not know of is looked for on those ways.
-  void update(Model& model, double dt, const std::vector<BlockState>& seen = {});
+  // `cracked`: bonds have failed in this step, whose bodies met by other corners before.
+  void update(Model& model, double dt, const std::vector<BlockState>& seen = {}, bool cracked = false);
   // Pairs of blocks that came near each other in the last search.
   const std::vector<std::pair<int, int>>& near() const { return near_; }
   // Those that would at other velocities.
   std::vector<std::pair<int, int>> near(const Model& model, const std::vector<BlockState>& states, double dt) const;
   bool bonded(int a, int b) const;
   const Surface& surface() const { return surface_; }
-  // States of joints were set from outside: the surface is found anew, and bonds that fail from here on are told from those that had failed.
+  // States of joints were set from outside: the surface is found anew.
   void forget(const Model& model) {
     intact_joints_ = -1;
     seen_.clear();

@@ -111,6 +111,15 @@ void Fracture::fail(const std::vector<int>& joints, double time) {
   model_.fragment = find_fragments(model_);
 }
 
+void Fracture::recall_tractions() {
+  for (const int j : events_)
+    if (!model_.joints[j].bridged)
+      for (JointPoint& point : model_.joints[j].points) {
+        point.normal = model_.joints[j].failed_with.normal;
+        point.shear = model_.joints[j].failed_with.shear;
+      }
+}
+
 void Fracture::add_strain(int block, const Vec3& strain) {
   BlockShape& shape = model_.shapes[block];
   before_strain_.push_back({block, shape.initial_stress, model_.added_strain_energy});

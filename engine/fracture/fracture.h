@@ -21,6 +21,8 @@ class Fracture {
   std::vector<int> choose(bool motion);
   // They fail, with the tractions that they have, and join the events.
   void fail(const std::vector<int>& joints, double time);
+  // What failed since the last clear_events() has the tractions again with which it failed: its faces take them over in each search of the step.
+  void recall_tractions();
   // A block goes on with this strain beside its own, as an initial stress.
   void add_strain(int block, const Vec3& strain);
   // Makes what failed since the last clear_events() whole again, and takes back the strains that were added.

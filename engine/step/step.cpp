@@ -104,10 +104,12 @@ StepReport Stepper::dynamic_step(double most) {
     gas_->detonate(step_size_.least());
     step_size_.at_most(gas_->longest_step());
   }
-  step_size_.stop_in(next_bend(model_.scene, model_.time + step_size_.least()) - model_.time);
+  const double bend = next_bend(model_.scene, model_.time + step_size_.least()) - model_.time;
+  step_size_.stop_in(bend);
   bool regretted = false;
   for (double dt = std::min(next_dt(), most);; dt = std::min(next_dt(), most), ++report.cuts) {
     effort_ = split_anew_ = released_ = released_on_way_ = 0;
+    report.utilisation = 0;
     const Scheme scheme = this->scheme(dt);
     if (numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
@@ -137,9 +139,10 @@ StepReport Stepper::dynamic_step(double most) {
     nearness_.clear();
     for (;; attempt.again()) {
       // 2. Candidate pairs of vertices and edges, with the state of those that go on.
+      if (fracture_) fracture_->recall_tractions();
       if (plan_.contacts) {
         PartTimer timer(totals_, "contact search");
-        search_.update(model_, dt, seen);
+        search_.update(model_, dt, seen, fracture_ && !fracture_->events().empty());
       }
       if (fracture_) {
         released = released_ - contacts_of_events();
@@ -196,6 +199,7 @@ StepReport Stepper::dynamic_step(double most) {
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
     if (start && !regretted && step_size_.may_regret() && gained > most_gain * start->stored()) {
       step_size_.regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead);
+      step_size_.stop_in(bend);
       regretted = weighed_late_ = true;
       ++totals_.cuts;
       continue;
