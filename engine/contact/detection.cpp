@@ -22,10 +22,6 @@ Vec2 edge_normal(const Model& model, const Contact& c) {
   return -perp(model.vertex[begin + model.next_vertex(c.j, c.edge)] - model.vertex[begin + c.edge]).normalized();
 }
 
-double gap_now(const Model& model, const Contact& c) {
-  return edge_normal(model, c).dot(model.vertex[c.global_vertex] - model.vertex[c.global_edge]);
-}
-
 bool stands_still(const Model& model, int block) {
   const auto& v = model.blocks[block].velocity;
   return std::all_of(v.begin(), v.begin() + model.shapes[block].rate_count(), [](double rate) { return rate == 0; });
@@ -270,6 +266,10 @@ class OnTheWay {
 };
 
 }  // namespace
+
+double gap_now(const Model& model, const Contact& c) {
+  return edge_normal(model, c).dot(model.vertex[c.global_vertex] - model.vertex[c.global_edge]);
+}
 
 void ContactSearch::find_surface(const Model& model) {
   const int intact = int(std::count_if(model.joints.begin(), model.joints.end(),

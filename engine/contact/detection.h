@@ -47,6 +47,9 @@ struct Surface {
                                    // body is at a corner, of which one block is only a part
 };
 
+// m, of a contact as the blocks lie; negative where the vertex is below the edge's line.
+double gap_now(const Model& model, const Contact& contact);
+
 class ContactSearch {
  public:
   // Replaces the contacts of what is awake by the candidates of the next step, in order of (vertex, edge). Contacts that go

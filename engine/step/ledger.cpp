@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "contact/detection.h"
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
 #include "equations/viscous_terms.h"
@@ -48,11 +49,6 @@ void book_linear(const BookedStep& s, Ledger& ledger) {
   const double dashpots = s.scheme.velocity_d / 2 * viscous_form(model, s.poses, step, w);
   ledger.numerical_flow += (step.dot(kw) - s.scheme.inertia * inertial - dashpots) / s.scheme.bond_d;
   ledger.viscous_work += viscous_form(model, s.poses, step, step) / s.scheme.dt;
-}
-
-double gap_of(const Model& model, const Contact& c) {
-  const Vec2 from = model.vertex[c.global_edge], to = model.vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)];
-  return cross(model.vertex[c.global_vertex] - from, (to - from).normalized());
 }
 
 double squared(double x) {
@@ -145,7 +141,7 @@ double pressed_at_start(const Contact& c) {
 }
 
 ContactBooking::ContactBooking(const Model& model) {
-  for (const Contact& c : model.awake_contacts()) before_.push_back({gap_of(model, c), pressed_at_start(c), c.stretch, c.slip});
+  for (const Contact& c : model.awake_contacts()) before_.push_back({gap_now(model, c), pressed_at_start(c), c.stretch, c.slip});
 }
 
 // Loss of a contact along X: -N Δg less the spring's gain. For a gap that is linear in y this is the convexity gap
@@ -160,7 +156,7 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
     const Before& b = before_[k];
     if (c.normal_force > 0 || b.pressed > 0) {
       const double pressed = c.normal_force / c.normal_stiffness;
-      ledger.numerical_flow += -c.normal_force * (gap_of(model, c) - b.gap) -
+      ledger.numerical_flow += -c.normal_force * (gap_now(model, c) - b.gap) -
                                c.normal_stiffness / 2 * (squared(pressed) - squared(b.pressed));
     }
     if (c.stretch != 0 || b.stretch != 0)

@@ -160,6 +160,14 @@ Restitution::Taken Restitution::limit(Model& model, const ContactTerms& contacts
     own.mobility = before.mobility(own.i, own.of_i) + before.mobility(own.j, own.of_j);
     if (own.mobility > 0) opened.push_back(own);
   }
+  const auto keep_parting = [&](const Bodies& of) {
+    for (const ContactRows& row : contacts.rows())
+      model.contacts[size_t(row.contact)].parting = parting(of, row.i, rigid(row.normal_i), row.j, rigid(row.normal_j));
+  };
+  if (opened.empty()) {
+    keep_parting(before);
+    return {};
+  }
   Bodies bodies = before;
   hold_back(bodies, opened);
   Taken taken;
@@ -167,8 +175,7 @@ Restitution::Taken Restitution::limit(Model& model, const ContactTerms& contacts
     for (const auto& [block, row] : {std::pair(contact.i, contact.of_i), std::pair(contact.j, contact.of_j)})
       if (model.shapes[size_t(block)].dofs == 0) taken.boundary_work += contact.impulse * bodies.rate(block, row);
   const std::optional<double> moved = move_with(bodies, before, opened, taken.boundary_work, model);
-  for (const ContactRows& row : contacts.rows())
-    model.contacts[size_t(row.contact)].parting = parting(moved ? bodies : before, row.i, rigid(row.normal_i), row.j, rigid(row.normal_j));
+  keep_parting(moved ? bodies : before);
   if (!moved) return {};
   taken.energy = *moved;
   return taken;

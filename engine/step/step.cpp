@@ -152,7 +152,7 @@ StepReport Stepper::dynamic_step(double most) {
 
       // 3. Open–close: everything linear once, then contacts until their law is met.
       hold_.clear();
-      do {  // again with more of the candidates where one presses that was not expected to
+      do {  // again with more of the candidates where one presses that was not expected to, with other pressures of the gas, and other branches of bridges
         if (result.missed) widen();
         assemble(scheme, false);
         if (on_assembled) on_assembled(scheme, system_, contacts_);
@@ -168,9 +168,9 @@ StepReport Stepper::dynamic_step(double most) {
       far = report.displacement;
       if (step_size_.heeds_turns()) far = std::max(far, step_size_.as_far_as(largest_turn_of_pressed(model_, moved)));
 
-      // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
       crushed = crushed_block(model_, moved);
       if (step_size_.too_far(far) || crushed >= 0) break;
+      // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
       if (fracture_ && breaks(moved, dt, report)) continue;
       // 5. Contacts that it went past: once again with those on its way.
       past = plan_.contacts && step_size_.may_halve(dt) && overlooks(dt, report.displacement, d, moved);

@@ -128,7 +128,7 @@ class Stepper {
   BridgeMotion bridge_motion_;
   Supports supports_;
   ContactTerms contacts_;
-  std::vector<Contact> contacts_before_;  // the attempt at a step
+  std::vector<Contact> contacts_before_;  // of what is awake, while a step is attempted
   Poses poses_;
   System system_;
   IslandSolver islands_;
