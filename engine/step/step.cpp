@@ -9,6 +9,7 @@
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
 #include "equations/viscous_terms.h"
+#include "step/attempt.h"
 #include "step/damping.h"
 #include "step/overlooked.h"
 #include "step/part_timer.h"
@@ -25,53 +26,6 @@ namespace {
 constexpr double most_gain = 1e-6;  // in a step, of what moves and is stored
 constexpr double most_turning = 1e-3;  // in a step, of the ledger's scale: what all steps leave unexplained is to be below a hundredth
 constexpr double most_solve_effort = 24;  // factors, among cracks: three times what keeps a step from growing
-
-// What an attempt at a step changes before it is known to succeed; put back unless keep() is called.
-class Attempt {
- public:
-  // `contacts`: where those of what is awake are kept meanwhile, the same memory for every attempt.
-  Attempt(Model& model, const Plan& plan, Ledger& ledger, std::vector<Contact>& contacts, Fracture* fracture)
-      : model_(model), ledger_(ledger), before_(ledger), contacts_(contacts), fracture_(fracture) {
-    if (plan.contacts) contacts_.assign(model.contacts.begin() + model.sleeping_contacts, model.contacts.end());
-    if (!plan.held_blocks) return;
-    for (size_t b = 0; b < model.shapes.size(); ++b)
-      if (model.shapes[b].dofs == 0) held_.emplace_back(b, model.blocks[b].velocity);
-  }
-  ~Attempt() {
-    if (kept_) return;
-    again();
-    if (!blocks_.empty()) {
-      model_.blocks = std::move(blocks_);
-      model_.vertex = std::move(vertex_);
-    }
-    ledger_ = before_;
-    if (fracture_) fracture_->heal();
-    for (const auto& [block, velocity] : held_) model_.blocks[block].velocity = velocity;
-  }
-  Attempt(const Attempt&) = delete;
-  Attempt& operator=(const Attempt&) = delete;
-  void keep() { kept_ = true; }
-  void keep_places() {
-    blocks_ = model_.blocks;
-    vertex_ = model_.vertex;
-  }
-  double ahead_before() const { return before_.ahead; }
-  void again() {  // the same step, with the bonds that have failed in it
-    model_.contacts.resize(size_t(model_.sleeping_contacts));
-    model_.contacts.insert(model_.contacts.end(), contacts_.begin(), contacts_.end());
-  }
-
- private:
-  Model& model_;
-  Ledger& ledger_;
-  const Ledger before_;
-  std::vector<Contact>& contacts_;
-  Fracture* fracture_;
-  std::vector<BlockState> blocks_;  // and vertices: before X was moved as the step changed, or empty
-  std::vector<Vec2> vertex_;
-  std::vector<std::pair<size_t, std::array<double, max_dofs>>> held_;
-  bool kept_ = false;
-};
 
 }  // namespace
 
@@ -97,7 +51,6 @@ double Stepper::next_dt() const {
 }
 
 StepReport Stepper::dynamic_step(double most) {
-  const Numerics& numerics = model_.scene.numerics;
   StepReport report;
   if (fracture_) fracture_->clear_events();
   if (gas_) {
@@ -108,94 +61,33 @@ StepReport Stepper::dynamic_step(double most) {
   step_size_.stop_in(bend);
   bool regretted = false;
   for (double dt = std::min(next_dt(), most);; dt = std::min(next_dt(), most), ++report.cuts) {
-    effort_ = split_anew_ = released_ = released_on_way_ = 0;
-    report.utilisation = 0;
     const Scheme scheme = this->scheme(dt);
-    if (numerics.sleeping) sleep_.wake(model_, scheme);
+    if (model_.scene.numerics.sleeping) sleep_.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
-    if (judged_astray_) judge_again();
-    // Another step than the last: y stays, as far as bodies deform or lie on something.
-    std::optional<Energies> start;
-    const bool changes = scheme.bond_ahead != ledger_.ahead;
-    weighed_late_ = weighed_late_ || changes;
-    if (plan_.contacts && !fracture_ && ledger_.ahead > 0 && changes) start = energies();
-    if (changes) {
-      attempt.keep_places();
-      change_step(scheme.bond_ahead);
-    }
-    // 1. Loads, fixities and prescribed motions belong to this step's times; see Scheme.
-    if (plan_.held_blocks) move_held_blocks(model_, dt);
-    if (gas_) gas_->begin_step(dt);
-    if (fracture_) fail(fracture_->choose(true), model_.time, true);  // what a step that was too short for it left due
+    // 1. The state and the loads that belong to this step's length and times.
+    const std::optional<Energies> start = begin(scheme, attempt);
 
-    Vector d;
-    IslandResult result;
-    std::vector<BlockState> moved, seen;  // where the step leads; and where it led before it went past contacts
-    bool past = false;
-    double far = 0;       // m, that bounds the step
-    int crushed = -1;     // block
-    double released = 0;  // J/m, by bonds that fail in this step
-    std::optional<BridgeBooking> bridge_booking;
-    nearness_.clear();
-    for (;; attempt.again()) {
-      // 2. Candidate pairs of vertices and edges, with the state of those that go on.
-      if (fracture_) fracture_->recall_tractions();
-      if (plan_.contacts) {
-        PartTimer timer(totals_, "contact search");
-        search_.update(model_, dt, seen, fracture_ && !fracture_->events().empty());
-      }
-      if (fracture_) {
-        released = released_ - contacts_of_events();
-        bridge_booking.emplace(model_);
-        bridge_motion_.begin(model_);
-      }
+    // 2 to 5. Contacts, their law, the bonds that fail: where the step leads.
+    Course course = seek(scheme, attempt, report);
 
-      // 3. Open–close: everything linear once, then contacts until their law is met.
-      hold_.clear();
-      do {  // again with more of the candidates where one presses that was not expected to, with other pressures of the gas, and other branches of bridges
-        if (result.missed) widen();
-        assemble(scheme, false);
-        if (on_assembled) on_assembled(scheme, system_, contacts_);
-        result = solve(dt, d);
-      } while (result.missed || (result.converged && !settled(scheme, d)));
-      if (bridge_motion_.gives_up() || (gas_ && gas_->gives_up())) result.converged = false;
-      report.iterations = result.iterations;
-      report.residual = result.residual;
-      if (!result.converged) break;
-      moved = moved_blocks(model_, scheme, d);
-      keep_rest(moved);
-      report.displacement = largest_displacement(model_, moved);
-      far = report.displacement;
-      if (step_size_.heeds_turns()) far = std::max(far, step_size_.as_far_as(largest_turn_of_pressed(model_, moved)));
-
-      crushed = crushed_block(model_, moved);
-      if (step_size_.too_far(far) || crushed >= 0) break;
-      // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
-      if (fracture_ && breaks(moved, dt, report)) continue;
-      // 5. Contacts that it went past: once again with those on its way.
-      past = plan_.contacts && step_size_.may_halve(dt) && overlooks(dt, report.displacement, d, moved);
-      if (!past || !seen.empty()) break;
-      seen = std::move(moved);
-    }
-
-    // 6. Not settled, or moved too far: everything as it was; again with a smaller step.
-    if (!result.converged || step_size_.too_far(far) || crushed >= 0) {
-      step_size_.cut(dt, result.converged ? far : 0);
-      if (step_size_.next(model_.time) < step_size_.least()) give_up(result, dt, result.converged ? crushed : -1);
+    // 6. Not settled, moved too far, or on a way of its own: everything as it was; again with a smaller step.
+    if (!course.result.converged || step_size_.too_far(course.far) || course.crushed >= 0) {
+      step_size_.cut(dt, course.result.converged ? course.far : 0);
+      if (step_size_.next(model_.time) < step_size_.least()) give_up(course.result, dt, course.crushed);
       ++totals_.cuts;
       continue;
     }
-    if (past || (plan_.contacts && step_size_.may_halve(dt) && turns_gain(scheme, d, moved))) {
+    if (course.past || (plan_.contacts && step_size_.may_halve(dt) && turns_gain(scheme, course))) {
       step_size_.halve(dt);
       ++totals_.cuts;
       continue;
     }
 
-    // 7. The step is accepted: geometry, velocities, contact and joint states.
-    const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved, dt) : std::vector<double>{};
+    // 7. The step is accepted: geometry, velocities, contact and joint states, then what takes energy from where they lead.
+    const std::vector<double> kept = plan_.damping ? kept_velocities(model_, course.moved, dt) : std::vector<double>{};
     std::optional<Restitution> restitution;
     if (plan_.restitution) restitution.emplace(model_, contacts_);
-    const double gained = accept(std::move(moved), scheme, d, contacts_at_start(), start);
+    const double gained = accept(std::move(course.moved), scheme, course.d, contacts_at_start(), start);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
     if (start && !regretted && step_size_.may_regret() && gained > most_gain * start->stored()) {
       step_size_.regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead);
@@ -208,31 +100,89 @@ StepReport Stepper::dynamic_step(double most) {
       weigh_nearer(model_, gained);
       weighed_late_ = true;
     }
-    count(result);
     attempt.keep();
+    count(course.result);
     judged_astray_ = false;
-    if (fracture_) {
-      ledger_.fracture_work += released;
-      ledger_.numerical_flow -= released_on_way_;
-      bridge_booking->book(model_, bridge_motion_.keep(model_), ledger_);
-      fracture_->weaken();
-      report.failures = int(fracture_->events().size());
-      if (report.failures > 0) step_size_.broken(model_);
-    }
+    if (fracture_) keep_failures(course, report);
     // Before contacts are put in another order for what falls asleep.
     if (restitution) {
       const Restitution::Taken taken = restitution->limit(model_, contacts_, scheme);
       ledger_.damping_work += taken.energy;
       ledger_.boundary_work += taken.boundary_work;
     }
-    if (numerics.sleeping && report.failures == 0) sleep_.fall_asleep(model_, islands_, search_.near());
+    if (model_.scene.numerics.sleeping && report.failures == 0) sleep_.fall_asleep(model_, islands_, search_.near());
     ledger_.damping_work += damp(model_, kept);
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
     if (gas_) gas_->end_step(dt);
-    if (dt < most) step_size_.accepted(dt, far, effort_, split_anew_);
+    if (dt < most) step_size_.accepted(dt, course.far, effort_, split_anew_);
     report.dt = dt;
     return report;
+  }
+}
+
+// Returns the energies before, where the step is another than the last and may add to them.
+std::optional<Energies> Stepper::begin(const Scheme& scheme, Attempt& attempt) {
+  effort_ = split_anew_ = released_ = released_on_way_ = 0;
+  if (judged_astray_) judge_again();
+  // Another step than the last: y stays, as far as bodies deform or lie on something.
+  std::optional<Energies> start;
+  if (scheme.bond_ahead != ledger_.ahead) {
+    weighed_late_ = true;
+    if (plan_.contacts && !fracture_ && ledger_.ahead > 0) start = energies();
+    attempt.keep_places();
+    change_step(scheme.bond_ahead);
+  }
+  if (plan_.held_blocks) move_held_blocks(model_, scheme.dt);
+  if (gas_) gas_->begin_step(scheme.dt);
+  if (fracture_) fail(fracture_->choose(true), model_.time, true);  // what a step that was too short for it left due
+  return start;
+}
+
+Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport& report) {
+  Course course;
+  std::vector<BlockState> seen;  // where the step led before it went past contacts
+  report.utilisation = 0;
+  nearness_.clear();
+  for (;; attempt.again()) {
+    // 2. Candidate pairs of vertices and edges, with the state of those that go on.
+    if (fracture_) fracture_->recall_tractions();
+    if (plan_.contacts) {
+      PartTimer timer(totals_, "contact search");
+      search_.update(model_, scheme.dt, seen, fracture_ && !fracture_->events().empty());
+    }
+    if (fracture_) {
+      course.released = released_ - contacts_of_events();
+      course.bridges.emplace(model_);
+      bridge_motion_.begin(model_);
+    }
+
+    // 3. Open–close: everything linear once, then contacts until their law is met.
+    hold_.clear();
+    do {  // again with more of the candidates where one presses that was not expected to, with other pressures of the gas, and other branches of bridges
+      if (course.result.missed) widen();
+      assemble(scheme, false);
+      if (on_assembled) on_assembled(scheme, system_, contacts_);
+      course.result = solve(scheme.dt, course.d);
+    } while (course.result.missed || (course.result.converged && !settled(scheme, course.d)));
+    if (bridge_motion_.gives_up() || (gas_ && gas_->gives_up())) course.result.converged = false;
+    report.iterations = course.result.iterations;
+    report.residual = course.result.residual;
+    if (!course.result.converged) return course;
+    course.moved = moved_blocks(model_, scheme, course.d);
+    keep_rest(course.moved);
+    report.displacement = course.far = largest_displacement(model_, course.moved);
+    if (step_size_.heeds_turns()) course.far = std::max(course.far, step_size_.as_far_as(largest_turn_of_pressed(model_, course.moved)));
+    course.crushed = crushed_block(model_, course.moved);
+    if (step_size_.too_far(course.far) || course.crushed >= 0) return course;
+
+    // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
+    if (fracture_ && breaks(course.moved, scheme.dt, report)) continue;
+
+    // 5. Contacts that it went past: once again with those on its way.
+    course.past = plan_.contacts && step_size_.may_halve(scheme.dt) && overlooks(scheme.dt, report.displacement, course.d, course.moved);
+    if (!course.past || !seen.empty()) return course;
+    seen = std::move(course.moved);
   }
 }
 
@@ -341,9 +291,9 @@ bool Stepper::overlooks(double dt, double displacement, const Vector& d, const s
 }
 
 // Whether blocks turn in the step by so much that the work of their contacts is not what it was solved with.
-bool Stepper::turns_gain(const Scheme& scheme, const Vector& d, const std::vector<BlockState>& moved) {
+bool Stepper::turns_gain(const Scheme& scheme, const Course& course) {
   PartTimer timer(totals_, "update");
-  const double work = work_of_turning(model_, contacts_, scheme, d, moved);
+  const double work = work_of_turning(model_, contacts_, scheme, course.d, course.moved);
   return work > most_turning * ledger_.scale() && work > most_turning * energies().stored();
 }
 

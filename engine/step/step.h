@@ -27,6 +27,8 @@
 
 namespace talus {
 
+class Attempt;  // step/attempt.h
+
 class Stepper {
  public:
   Stepper(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledger);
@@ -92,6 +94,19 @@ class Stepper {
   StepReport collapse(const Equilibrium& search);
   StepReport break_bonds(const std::vector<int>& due);
   [[noreturn]] void give_up(const Equilibrium& search) const;
+  struct Course {  // what an attempt at a step comes to
+    IslandResult result;
+    Vector d;                              // m, of the unknowns
+    std::vector<BlockState> moved;         // where it leads
+    bool past = false;                     // contacts that it did not have
+    double far = 0;                        // m, that bounds the step
+    int crushed = -1;                      // block
+    double released = 0;                   // J/m, by bonds that fail in it
+    std::optional<BridgeBooking> bridges;  // where bonds can fail
+  };
+  std::optional<Energies> begin(const Scheme& scheme, Attempt& attempt);
+  Course seek(const Scheme& scheme, Attempt& attempt, StepReport& report);
+  void keep_failures(Course& course, StepReport& report);
   bool breaks(std::vector<BlockState>& moved, double dt, StepReport& report);
   void judge_again();
   void change_step(double ahead);
@@ -102,7 +117,7 @@ class Stepper {
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
   IslandResult solve(double dt, Vector& d);  // dt = 0: equilibrium
   bool overlooks(double dt, double displacement, const Vector& d, const std::vector<BlockState>& moved);
-  bool turns_gain(const Scheme& scheme, const Vector& d, const std::vector<BlockState>& moved);
+  bool turns_gain(const Scheme& scheme, const Course& course);
   void widen();
   void assemble(const Scheme& scheme, bool stick);
   void keep_rest(std::vector<BlockState>& moved);

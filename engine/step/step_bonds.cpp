@@ -62,6 +62,16 @@ void Stepper::fail(const std::vector<int>& due, double time, bool motion) {
   released_on_way_ += released - (before_at_x - elastic_energy(0));
 }
 
+// Of a step that is accepted.
+void Stepper::keep_failures(Course& course, StepReport& report) {
+  ledger_.fracture_work += course.released;
+  ledger_.numerical_flow -= released_on_way_;
+  course.bridges->book(model_, bridge_motion_.keep(model_), ledger_);
+  fracture_->weaken();
+  report.failures = int(fracture_->events().size());
+  if (report.failures > 0) step_size_.broken(model_);
+}
+
 // J/m, with which the contacts begin that take over from bonds that have failed in this step.
 double Stepper::contacts_of_events() const {
   const auto& events = fracture_->events();

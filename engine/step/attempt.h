@@ -1,0 +1,60 @@
+#pragma once
+// What an attempt at a step changes before it is known to succeed; put back unless keep() is called.
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "fracture/fracture.h"
+#include "model/model.h"
+#include "scene/plan.h"
+#include "step/ledger.h"
+
+namespace talus {
+
+class Attempt {
+ public:
+  // `contacts`: where those of what is awake are kept meanwhile, the same memory for every attempt.
+  Attempt(Model& model, const Plan& plan, Ledger& ledger, std::vector<Contact>& contacts, Fracture* fracture)
+      : model_(model), ledger_(ledger), before_(ledger), contacts_(contacts), fracture_(fracture) {
+    if (plan.contacts) contacts_.assign(model.contacts.begin() + model.sleeping_contacts, model.contacts.end());
+    if (!plan.held_blocks) return;
+    for (size_t b = 0; b < model.shapes.size(); ++b)
+      if (model.shapes[b].dofs == 0) held_.emplace_back(b, model.blocks[b].velocity);
+  }
+  ~Attempt() {
+    if (kept_) return;
+    again();
+    if (!blocks_.empty()) {
+      model_.blocks = std::move(blocks_);
+      model_.vertex = std::move(vertex_);
+    }
+    ledger_ = before_;
+    if (fracture_) fracture_->heal();
+    for (const auto& [block, velocity] : held_) model_.blocks[block].velocity = velocity;
+  }
+  Attempt(const Attempt&) = delete;
+  Attempt& operator=(const Attempt&) = delete;
+  void keep() { kept_ = true; }
+  void keep_places() {
+    blocks_ = model_.blocks;
+    vertex_ = model_.vertex;
+  }
+  double ahead_before() const { return before_.ahead; }
+  void again() {  // the same step, with the bonds that have failed in it
+    model_.contacts.resize(size_t(model_.sleeping_contacts));
+    model_.contacts.insert(model_.contacts.end(), contacts_.begin(), contacts_.end());
+  }
+
+ private:
+  Model& model_;
+  Ledger& ledger_;
+  const Ledger before_;
+  std::vector<Contact>& contacts_;
+  Fracture* fracture_;
+  std::vector<BlockState> blocks_;  // and vertices: before X was moved as the step changed, or empty
+  std::vector<Vec2> vertex_;
+  std::vector<std::pair<size_t, std::array<double, max_dofs>>> held_;
+  bool kept_ = false;
+};
+
+}  // namespace talus
