@@ -63,10 +63,12 @@ class ContactSearch {
   std::vector<std::pair<int, int>> near(const Model& model, const std::vector<BlockState>& states, double dt) const;
   bool bonded(int a, int b) const;
   const Surface& surface() const { return surface_; }
+  // The contacts that were there before the last search are back.
+  void forget_last() { seen_.clear(); }
   // States of joints were set from outside: the surface is found anew.
   void forget(const Model& model) {
     intact_joints_ = -1;
-    seen_.clear();
+    forget_last();
     find_surface(model);
   }
   template <class Visitor>  // of the registry, model/registry.h

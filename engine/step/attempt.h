@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/detection.h"
 #include "fracture/fracture.h"
 #include "model/model.h"
 #include "scene/plan.h"
@@ -14,8 +15,8 @@ namespace talus {
 class Attempt {
  public:
   // `contacts`: where those of what is awake are kept meanwhile, the same memory for every attempt.
-  Attempt(Model& model, const Plan& plan, Ledger& ledger, std::vector<Contact>& contacts, Fracture* fracture)
-      : model_(model), ledger_(ledger), before_(ledger), contacts_(contacts), fracture_(fracture) {
+  Attempt(Model& model, const Plan& plan, Ledger& ledger, ContactSearch& search, std::vector<Contact>& contacts, Fracture* fracture)
+      : model_(model), ledger_(ledger), before_(ledger), search_(search), contacts_(contacts), fracture_(fracture) {
     if (plan.contacts) contacts_.assign(model.contacts.begin() + model.sleeping_contacts, model.contacts.end());
     if (!plan.held_blocks) return;
     for (size_t b = 0; b < model.shapes.size(); ++b)
@@ -24,6 +25,7 @@ class Attempt {
   ~Attempt() {
     if (kept_) return;
     again();
+    search_.forget_last();
     if (!blocks_.empty()) {
       model_.blocks = std::move(blocks_);
       model_.vertex = std::move(vertex_);
@@ -49,6 +51,7 @@ class Attempt {
   Model& model_;
   Ledger& ledger_;
   const Ledger before_;
+  ContactSearch& search_;
   std::vector<Contact>& contacts_;
   Fracture* fracture_;
   std::vector<BlockState> blocks_;  // and vertices: before X was moved as the step changed, or empty

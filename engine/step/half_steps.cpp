@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "equations/block_terms.h"
 #include "model/registry.h"
@@ -52,11 +53,16 @@ StepReport HalfSteps::step() {
   const double start = model_.time;
   fastest_ = std::max(fastest_, kinetic(model_));
   for (int again = 0;; ++again) {
-    const double dt = whole_step().dt, end = model_.time;
-    const std::vector<BlockState> whole = model_.blocks;
-    put_back(before);
+    double dt = 0, end = 0;
+    std::vector<BlockState> whole;
+    std::optional<StepSize> grown;
     StepReport report;
     try {
+      dt = whole_step().dt;
+      end = model_.time;
+      whole = model_.blocks;
+      grown = stepper_.step_size();
+      put_back(before);
       report = halves(dt, end);
     } catch (...) {
       put_back(before);
@@ -67,6 +73,7 @@ StepReport HalfSteps::step() {
     const double change = report.error > 0 ? std::pow(safety * allowed / report.error, 1.0 / order_) : most_change;
     if (report.error <= allowed || dt <= least_) {
       if (report.error > allowed) ++totals_.inaccurate;
+      if (report.cuts == 0) stepper_.step_size() = *grown;  // halves, of a length given to them, do not let it grow
       const double next = std::max(dt * std::clamp(change, least_change, most_change), least_);
       dt_ = dt < dt_ && change > 1 && std::isfinite(dt_) ? std::max(dt_, next) : next;  // a step cut short for another reason says less
       report.cuts += again;

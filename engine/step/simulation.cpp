@@ -78,23 +78,30 @@ Simulation::Simulation(Scene scene) {
 Simulation::~Simulation() = default;
 
 StepReport Simulation::step() {
+  if (stepper_->half_done())
+    throw RunError("the last step was left half done when a law of the script failed in it: sim:restore goes on from a state that was saved before");
   // A step of motion puts back itself what an attempt has changed. What looks for equilibrium does not.
   const std::string before = plan.dynamic && begun_ ? std::string() : save();
   try {
     return take_step();
   } catch (...) {
-    if (!before.empty()) restore(before);
+    if (before.empty())
+      stepper_->left();
+    else
+      restore(before);
     throw;
   }
 }
 
 StepReport Simulation::take_step() {
   begin();
+  const long factors = totals.factorisations;
   last = half_steps_ ? half_steps_->step()
          : plan.dynamic ? stepper_->dynamic_step()
                         : stepper_->load_step(next_load(), totals.steps == 0);
   for (Fixity& fixity : model.scene.fixities) fixity.go_on(model.time);
   ++totals.steps;
+  last.factorisations = int(totals.factorisations - factors);
   totals.failures += last.failures;
   totals.largest_utilisation = std::max(totals.largest_utilisation, last.utilisation);
   if (last.collapsed) {

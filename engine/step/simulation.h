@@ -23,7 +23,7 @@ struct StepReport {
   double time = 0, dt = 0;
   int iterations = 0;    // open–close iterations (= solves) of the accepted attempt
   int cuts = 0;          // attempts thrown away before it
-  int factorisations = 0;
+  int factorisations = 0;  // of these too
   double residual = 0;       // contact residual / force scale, at acceptance
   double displacement = 0;   // m, largest of any vertex
   int closed_contacts = 0;

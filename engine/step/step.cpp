@@ -53,27 +53,26 @@ double Stepper::next_dt() const {
 StepReport Stepper::dynamic_step(double most) {
   StepReport report;
   if (fracture_) fracture_->clear_events();
-  if (gas_) {
-    gas_->detonate(step_size_.least());
-    step_size_.at_most(gas_->longest_step());
-  }
-  const double bend = next_bend(model_.scene, model_.time + step_size_.least()) - model_.time;
-  step_size_.stop_in(bend);
+  if (gas_) gas_->detonate(step_size_.least());
+  shorten();
   bool regretted = false;
   for (double dt = std::min(next_dt(), most);; dt = std::min(next_dt(), most), ++report.cuts) {
     const Scheme scheme = this->scheme(dt);
     if (model_.scene.numerics.sleeping) sleep_.wake(model_, scheme);
-    Attempt attempt(model_, plan_, ledger_, contacts_before_, fracture_.get());
+    Attempt attempt(model_, plan_, ledger_, search_, contacts_before_, fracture_.get());
     // 1. The state and the loads that belong to this step's length and times.
     const std::optional<Energies> start = begin(scheme, attempt);
 
     // 2 to 5. Contacts, their law, the bonds that fail: where the step leads.
     Course course = seek(scheme, attempt, report);
 
-    // 6. Not settled, moved too far, or on a way of its own: everything as it was; again with a smaller step.
+    // 6. Not settled, moved too far, or past contacts: everything as it was; again with a smaller step.
     if (!course.result.converged || step_size_.too_far(course.far) || course.crushed >= 0) {
       step_size_.cut(dt, course.result.converged ? course.far : 0);
-      if (step_size_.next(model_.time) < step_size_.least()) give_up(course.result, dt, course.crushed);
+      if (step_size_.next(model_.time) < step_size_.least()) {
+        gave_up_ = true;
+        give_up(course.result, dt, course.crushed);
+      }
       ++totals_.cuts;
       continue;
     }
@@ -89,9 +88,7 @@ StepReport Stepper::dynamic_step(double most) {
     if (plan_.restitution) restitution.emplace(model_, contacts_);
     const double gained = accept(std::move(course.moved), scheme, course.d, contacts_at_start(), start);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
-    if (start && !regretted && step_size_.may_regret() && gained > most_gain * start->stored()) {
-      step_size_.regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead);
-      step_size_.stop_in(bend);
+    if (start && !regretted && gained > most_gain * start->stored() && regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most)) {
       regretted = weighed_late_ = true;
       ++totals_.cuts;
       continue;
@@ -101,6 +98,7 @@ StepReport Stepper::dynamic_step(double most) {
       weighed_late_ = true;
     }
     attempt.keep();
+    half_done_ = true;  // laws of the script are asked below that may fail
     count(course.result);
     judged_astray_ = false;
     if (fracture_) keep_failures(course, report);
@@ -116,15 +114,35 @@ StepReport Stepper::dynamic_step(double most) {
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
     if (gas_) gas_->end_step(dt);
     if (dt < most) step_size_.accepted(dt, course.far, effort_, split_anew_);
+    half_done_ = false;
     report.dt = dt;
     return report;
   }
+}
+
+// What automatic steps are to end at.
+void Stepper::shorten() {
+  if (gas_) step_size_.at_most(gas_->longest_step());
+  step_size_.stop_in(next_bend(model_.scene, model_.time + step_size_.least()) - model_.time);
+}
+
+// Whether a step is to be taken again, as one of `last`. Not where outputs, rows of tables or the end would make it the same again.
+bool Stepper::regret(double dt, double last, double most) {
+  if (!step_size_.may_regret()) return false;
+  const StepSize before = step_size_;
+  step_size_.regret(dt, last);
+  shorten();
+  if (std::min(next_dt(), most) != dt) return true;
+  step_size_ = before;
+  return false;
 }
 
 // Returns the energies before, where the step is another than the last and may add to them.
 std::optional<Energies> Stepper::begin(const Scheme& scheme, Attempt& attempt) {
   effort_ = split_anew_ = released_ = released_on_way_ = 0;
   if (judged_astray_) judge_again();
+  std::vector<int> due;  // left by a step that was too short for it
+  if (fracture_) due = fracture_->choose(true);
   // Another step than the last: y stays, as far as bodies deform or lie on something.
   std::optional<Energies> start;
   if (scheme.bond_ahead != ledger_.ahead) {
@@ -135,7 +153,7 @@ std::optional<Energies> Stepper::begin(const Scheme& scheme, Attempt& attempt) {
   }
   if (plan_.held_blocks) move_held_blocks(model_, scheme.dt);
   if (gas_) gas_->begin_step(scheme.dt);
-  if (fracture_) fail(fracture_->choose(true), model_.time, true);  // what a step that was too short for it left due
+  if (fracture_) fail(due, model_.time, true);
   return start;
 }
 
@@ -207,7 +225,7 @@ void Stepper::restored() {
 
 void Stepper::rewound() {
   weighed_late_ = true;
-  judged_astray_ = false;
+  judged_astray_ = half_done_ = false;
   search_.forget(model_);
   sleep_.restored();
   if (fracture_) {

@@ -34,7 +34,7 @@ class Stepper {
   Stepper(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledger);
 
   // One accepted step from model.time. Throws RunError when none can be accepted at the least time step; the model
-  // is then as it was.
+  // is then as it was, as when a law of the script throws but where half_done().
   // `most`: s, no step is longer.
   StepReport dynamic_step(double most = std::numeric_limits<double>::infinity());
   // Static (step/load_step.cpp): equilibrium under the loads of a later time, `to` at most, or under the same load after
@@ -43,6 +43,11 @@ class Stepper {
   std::string collapse_note() const;  // of a load step that found no equilibrium
   // Bonds beyond their strength before the first step fail. How many did.
   int initial_cracks();
+  // A step was left by an exception: bonds are judged where the blocks are, not where it would have led.
+  void left();
+  // It was left after it had been accepted, before all was done that follows; until restored().
+  bool half_done() const { return half_done_; }
+  StepSize& step_size() { return step_size_; }
   bool bonds_due() const { return fracture_ && fracture_->any_due(); }
   const std::vector<int>& fractures() const;  // joints that failed in the last step
   const Gas* gas() const { return gas_.get(); }
@@ -101,9 +106,11 @@ class Stepper {
     bool past = false;                     // contacts that it did not have
     double far = 0;                        // m, that bounds the step
     int crushed = -1;                      // block
-    double released = 0;                   // J/m, by bonds that fail in it
+    double released = 0;                   // J/m, by bonds that fail in it, but for what their contacts begin with
     std::optional<BridgeBooking> bridges;  // where bonds can fail
   };
+  void shorten();
+  bool regret(double dt, double last, double most);
   std::optional<Energies> begin(const Scheme& scheme, Attempt& attempt);
   Course seek(const Scheme& scheme, Attempt& attempt, StepReport& report);
   void keep_failures(Course& course, StepReport& report);
@@ -160,6 +167,7 @@ class Stepper {
   double split_anew_ = 0;  // IslandResult's, of an attempt at a step
   bool weighed_late_ = true;  // some block is not weighed at y, or may not be
   double effort_ = 0;  // of the solves of an attempt at a step, in factors
+  bool half_done_ = false, gave_up_ = false;
   bool judged_astray_ = false;   // bonds have been judged where an attempt led that came to nothing
   double released_ = 0;         // J/m, that bonds stored which have failed in an attempt, and their blocks through them
   double released_on_way_ = 0;  // J/m, of that what they stored by the way from X to y alone, which the integrator's loss counts with the state

@@ -1,10 +1,27 @@
 // Bonds that fail in a step of motion, or before the first one.
 #include <algorithm>
+#include <utility>
 
 #include "step/part_timer.h"
 #include "step/step.h"
 
 namespace talus {
+
+namespace {
+
+class Lent {  // blocks where a step leads, also where a criterion of the script fails there
+ public:
+  Lent(Model& model, std::vector<BlockState>& moved) : model_(model), moved_(moved) { model_.blocks.swap(moved_); }
+  ~Lent() { model_.blocks.swap(moved_); }
+  Lent(const Lent&) = delete;
+  Lent& operator=(const Lent&) = delete;
+
+ private:
+  Model& model_;
+  std::vector<BlockState>& moved_;
+};
+
+}  // namespace
 
 const std::vector<int>& Stepper::fractures() const {
   static const std::vector<int> none;
@@ -21,16 +38,23 @@ int Stepper::initial_cracks() {
   return int(due.size());
 }
 
+// Not where a law had failed or had no end, which would be asked again: then as the next step begins.
+void Stepper::left() {
+  if (std::exchange(gave_up_, false) && judged_astray_) judge_again();
+}
+
 // Whether bonds fail where the step leads and it is to be taken again. Not in a step shorter than a wave takes through a block, in which a
 // bond cannot feel yet that another has failed: those that are due then fail at the start of the next. `moved` is only lent to the model.
 bool Stepper::breaks(std::vector<BlockState>& moved, double dt, StepReport& report) {
   PartTimer timer(totals_, "fracture");
   judged_astray_ = true;  // until the step is accepted
-  model_.blocks.swap(moved);
-  joints_.store_tractions(model_);
-  report.utilisation = std::max(report.utilisation, fracture_->judge());
-  const std::vector<int> due = dt < fracture_->least_transit() ? std::vector<int>{} : fracture_->choose(true);
-  model_.blocks.swap(moved);
+  std::vector<int> due;
+  {
+    const Lent lent(model_, moved);
+    joints_.store_tractions(model_);
+    report.utilisation = std::max(report.utilisation, fracture_->judge());
+    if (dt >= fracture_->least_transit()) due = fracture_->choose(true);
+  }
   if (due.empty()) return false;
   joints_.store_tractions(model_);
   fail(due, model_.time + dt, true);
