@@ -175,10 +175,12 @@ GasMoment Gas::moment(const Chamber& chamber, double since) const {
   return {std::max(since, 0.0), chamber.volume, first_volume_[chamber.charges[0]], chamber.pressure, chamber.front()};
 }
 
-// An explosive's law is for its hole, which blocks that lie in it make smaller.
+// An explosive's law goes by its mass, for its hole as it was drawn: blocks that lie in it and what has moved its walls until it goes off leave
+// its gas another volume. Other laws go by V/V0, V0 the volume when it goes off.
 double Gas::room(int charge) const {
-  const double part = model_.scene.charges[charge].mass > 0 ? 1 - model_.hole_walls[charge].taken : 1;
-  return first_volume_[charge] * left_[charge] / part;
+  const double radius = model_.hole_walls[charge].radius;
+  const double begins = model_.scene.charges[charge].mass > 0 ? std::numbers::pi * radius * radius : first_volume_[charge];
+  return begins * left_[charge];
 }
 
 // What is left of a charge's gas has the pressure of all of it in as much more room: its isentrope goes by volume per mass.

@@ -99,6 +99,7 @@ class Gas {
   void spread(int chamber);
   bool meet(int a, int b) const;
   void merge();
+  bool goes_before(int chamber, int other) const;
   void take_over(int chamber, int other);
   void push_stemming(int chamber, double dt);
   bool stemming_out(int charge) const;

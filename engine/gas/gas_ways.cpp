@@ -45,13 +45,26 @@ void Gas::merge() {
       if (other != c && pressing(chambers_[other]) && meet(c, other)) met.push_back(other);
     // Those that have blown out last: a taking over finds anew what the gas has reached, and with it whether that is a free surface.
     std::stable_partition(met.begin(), met.end(), [&](int other) { return chambers_[other].state != Chamber::State::vented; });
-    for (const int other : met)
-      if (other != c && chambers_[other].state != Chamber::State::merged) take_over(c, other);
+    for (const int other : met) {
+      if (other == c || chambers_[other].state == Chamber::State::merged) continue;
+      if (goes_before(other, c)) {
+        take_over(other, c);
+        break;  // whom it meets in its turn, or in the next step
+      }
+      take_over(c, other);
+    }
   }
 }
 
+// Of two chambers that press, that of the charge that went off first takes over the other, and its ways of venting and of going on hold for all.
+bool Gas::goes_before(int a, int b) const {
+  if (!pressing(chambers_[a]) || !pressing(chambers_[b])) return false;
+  const auto first = [&](int c) { return std::pair(model_.scene.charges[chambers_[c].charges[0]].delay, c); };
+  return first(a) < first(b);
+}
+
 // What an orifice has let out is missing in the gas itself. Else one that has blown out at once is open to the free surface for the other
-// too, and of one that vents by a law what has left is taken from its gas: the law begins again with both.
+// too, and of one that vents by a law what has left is taken from its gas: the law begins again with both. No gas comes with a hole that waits.
 void Gas::take_over(int c, int other) {
   Chamber &own = chambers_[c], &met = chambers_[other];
   const bool orifice = model_.scene.charges[own.charges[0]].orifice.has_value(), open = met.state == Chamber::State::vented;
@@ -60,10 +73,13 @@ void Gas::take_over(int c, int other) {
     reach_[c].outlet = reach_[other].outlet;
     return;
   }
+  if (open && !pressing(met))
+    for (const int charge : met.charges) left_[charge] = 0;
+  else if (!met.charges.empty())
+    settle_venting(met);
   const bool vents = open || own.state == Chamber::State::vented;
-  if (vents && !orifice) {
+  if (vents && !orifice && !met.charges.empty()) {
     settle_venting(own);
-    if (pressing(met)) settle_venting(met);
     own.vented_at = model_.time;
   } else if (open) {
     own.vented_at = own.state == Chamber::State::vented ? std::min(own.vented_at, met.vented_at) : met.vented_at;

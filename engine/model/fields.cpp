@@ -248,6 +248,11 @@ std::span<const Field> joint_fields() {
              [](Context c, int i) { return joint_mean(joint(c, i), &JointPoint::slip); }),
       vector<2>("mid", "", "m", "place of its middle now",
                 [](Context c, int i) -> Vec2 { return joint_middle(c.model, joint(c, i)) + c.model.origin; }),
+      vector<2>("mid_start", "", "m", "place of its middle at the start",
+                [](Context c, int i) -> Vec2 {
+                  const Joint& j = joint(c, i);
+                  return c.model.reference_place(j.a, (j.in_a[0] + j.in_a[1]) / 2) + c.model.origin;
+                }),
   };
   return fields;
 }

@@ -373,8 +373,8 @@ function talus.probe(fields) end
 ---@field density? number kg/m3; > 0; of the explosive as it is loaded: it begins at as much more room for its mass
 ---@field diameter? number m; > 0; of the explosive, at most the hole's; the rest of the hole is empty (decoupling)
 ---@field eos? function|talus.polytropic|talus.jwl a `talus.eos`, or `function(v, t, chamber)` that returns the pressure (Pa) at v = V/V0, V0 the volume of the hole when it goes off: > 0, and falling as v grows; t seconds after that. This or `explosive`. The gas's work in a step is by the law at the middle of the step. Chamber: {name, volume, first_volume (m3 per metre), pressure (Pa), front (m)}, as it was at the beginning of the step; tried with 1 m3 under 1 MPa, from v = 1 to 10 000. That the pressure falls is seen to in the run too. Where rock has closed in on the gas (v < 1) the law is asked for v = 1
----@field gas_speed? number|function of the gas in cracks: a number or `function(t, chamber)`, t seconds after it went off; the gas has come as far from the hole's centre as ∫ speed dt, and is at the wall before that
----@field venting? function|talus.orifice a `talus.venting.orifice`, or `function(t, chamber)` that returns the part of the pressure left, t seconds after the gas has reached a free surface, or has thrown out the stemming
+---@field gas_speed? number|function of the gas in cracks: a number or `function(t, chamber)`, t seconds after it went off; the gas has come as far from the hole's centre as ∫ speed dt, and is at the wall before that; of gas that has met, as with venting
+---@field venting? function|talus.orifice a `talus.venting.orifice`, or `function(t, chamber)` that returns the part of the pressure left, t seconds after the gas has reached a free surface, or has thrown out the stemming. Where gas of several charges has met, what the charge says that went off first, or of those at one time the first in the list, holds for all of it
 ---@field stemming? talus.stemming what closes the hole: the chamber vents when it is out
 
 ---An explosive in a hole of a region. Its gas presses on the hole's wall and enters the failed joints that hang together with it, as far as its front has got; it vents where it reaches a free surface.
@@ -787,6 +787,7 @@ function talus.latin_hypercube(fields) end
 ---@field opening any m; mean opening
 ---@field slip any m; mean sliding
 ---@field mid any m; place of its middle now
+---@field mid_start any m; place of its middle at the start
 
 ---@class talus.contact_state
 ---@field id any ; number of the contact, from 1, in VTK too; valid until the next step

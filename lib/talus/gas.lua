@@ -102,6 +102,22 @@ local function check_stemming(values, bad)
   bad("stemming", "one with a charge_length (m), as the orifice has no opening of its own", "one without")
 end
 
+-- The same where it is the orifice of another charge, whose gas it may meet.
+local function check_collars(charges)
+  local through
+  for i, charge in ipairs(charges) do
+    local orifice = given(charge, "venting")
+    if object.kind(orifice) == "orifice" and not given(orifice, "opening") then through = through or given(charge, "name") or ("charge %d"):format(i) end
+  end
+  for _, charge in ipairs(through and charges or {}) do
+    local stemming = given(charge, "stemming")
+    if stemming and not given(stemming, "charge_length") then
+      places.fail(object.place(charge), ("charge.stemming: expected one with a charge_length (m), as the orifice of charge %q has no opening of "
+        .. "its own, got one without"):format(through))
+    end
+  end
+end
+
 function gas.check(values, bad)
   if (values.eos == nil) == (values.explosive == nil) then
     bad(nil, "eos or explosive", values.eos == nil and "neither" or "both")
@@ -222,6 +238,7 @@ function gas.flatten(charges, regions, links)
     taken[key], named[name] = true, i
     list[i] = flatten_charge(charge, name, i, at)
   end
+  check_collars(charges)
   return list
 end
 

@@ -110,6 +110,19 @@ do
   check.equal("on the other side", blast.backbreak(sim, { line = 1.2, behind = "right" }).length, 0)
 end
 
+-- Bonds behind a line are those that lay there: one of three bonds of a plate parts, 2 m in front of it, and a half flies 5 m away.
+for _, v in ipairs { { 0, 10 }, { -10, 0 } } do
+  local sim = talus.simulation {
+    regions = { talus.region { name = "plate", outline = talus.rect(-1, 0, 5, 2), material = rock, mesh = { size = 3 },
+                               joint = talus.joint { friction = 0.5, cohesion = 1e3, tension = 1e3 } } },
+    time = { t_end = 0.5, dt = 1e-3 }, output = { dir = ("out/blast_parted_%d"):format(v[2]) } }
+  for _, block in ipairs(sim.blocks) do block.velocity = { v[block.centroid[1] > 1.5 and 2 or 1], 0 } end
+  sim:run()
+  check.above("parted: bonds that failed", sim.totals.failures, 0)
+  check.equal("parted: behind the line", blast.backbreak(sim, { line = 0 }).length, 0)
+  check.near("parted: behind a line 2.5 m farther, m", blast.backbreak(sim, { line = 2.5 }).depth, 2, { rel = 1e-9 })
+end
+
 -- Gas on its way along a joint: from the hole's wall to its front on both sides.
 do
   local speed, t, radius = 50, 5*u.ms, 0.05

@@ -31,13 +31,12 @@ end
 return function(sim, fields)
   local options = choice.options("backbreak", sim, fields)
   local names, depth = choice.regions(sim, options), depth_of(options)
-  local of, area, moved = sim.blocks:field "region", sim.blocks:field "area", sim.blocks:field "displacement"
-  local mode, mid, length = sim.joints:field "mode", sim.joints:field "mid", sim.joints:field "length"
+  local of, area = sim.blocks:field "region", sim.blocks:field "area"
+  local mode, start, length = sim.joints:field "mode", sim.joints:field "mid_start", sim.joints:field "length"
   local a, b = sim.joints:field "block_a", sim.joints:field "block_b"
   local found, failed, counted = { length = 0, tension = 0, shear = 0, area = 0, depth = 0 }, {}, {}
   for j = 1, #mode do
-    local behind = mode[j] ~= "none" and names[of[a[j]]]
-      and depth(mid[j][1] - moved[a[j]][1], mid[j][2] - moved[a[j]][2])
+    local behind = mode[j] ~= "none" and (names[of[a[j]]] or names[of[b[j]]]) and depth(start[j][1], start[j][2])
     if behind and behind > 0 then
       failed[#failed + 1] = { depth = behind, length = length[j] }
       found.length, found[mode[j]] = found.length + length[j], found[mode[j]] + length[j]

@@ -30,11 +30,12 @@ return {
           .. " falls is seen to in the run too. Where rock has closed in on the gas (v < 1) the law is asked for v = 1" },
       { name = "gas_speed", type = "any", of = { { type = "number", least = 0, unit = "m/s" }, { type = "function" } },
         default = 100, doc = "of the gas in cracks: a number or `function(t, chamber)`, t seconds after it went off; the gas has come as"
-          .. " far from the hole's centre as ∫ speed dt, and is at the wall before that", source = "Ning et al. 2011" },
+          .. " far from the hole's centre as ∫ speed dt, and is at the wall before that; of gas that has met, as with venting", source = "Ning et al. 2011" },
       { name = "venting", type = "any", of = { { type = "function" }, { type = "object", kinds = { "orifice" } } },
         default_doc = "the pressure is gone at once",
         doc = "a `talus.venting.orifice`, or `function(t, chamber)` that returns the part of the pressure left, t seconds after the gas"
-          .. " has reached a free surface, or has thrown out the stemming" },
+          .. " has reached a free surface, or has thrown out the stemming. Where gas of several charges has met, what the charge says that"
+          .. " went off first, or of those at one time the first in the list, holds for all of it" },
       { name = "stemming", type = "object", kinds = { "stemming" }, default_doc = "the collar stays closed",
         doc = "what closes the hole: the chamber vents when it is out" },
     },
