@@ -112,6 +112,16 @@ int native_explain(lua_State* L) {
   return 1;
 }
 
+// What a simulation has no part for that was made without it.
+void refuse_late(lua_State* L, const Plan& plan, const std::string& list, const TableReader& entry) {
+  double restitution = 1, spin = 0;
+  if (list == "properties") entry.read("restitution", restitution);
+  if (list == "fixities") entry.read("spin", spin);
+  if (restitution < 1 && plan.dynamic && plan.contacts && !plan.restitution)
+    refuse(L, "joint.restitution: expected 1, as no joint of the simulation had one below 1 when it was made; give one of them 0.999 there");
+  if (spin != 0 && !plan.dynamic) refuse(L, "fix.spin: expected 0, as a static run moves what is held but does not turn it");
+}
+
 // update(simulation, list, index, entry): a changed material, joint, fixity or load
 int native_update(lua_State* L) {
   Run* run = live_simulation(L, 1);
@@ -119,6 +129,7 @@ int native_update(lua_State* L) {
   run->refuse_inside_step(L, "a change of a " + std::string(luaL_checkstring(L, 5)));
   const auto index = static_cast<int>(luaL_checkinteger(L, 3)) - 1;
   Model& model = run->simulation.model;
+  refuse_late(L, run->simulation.plan, luaL_checkstring(L, 2), TableReader(L, 4));
   update_scene(model.scene, luaL_checkstring(L, 2), index, TableReader(L, 4), model.time);
   model.changed();
   return 0;

@@ -39,7 +39,7 @@ IslandResult IslandSolver::solve(const Model& model, const System& system, const
   result.converged = true;
   Vector start;
   start.swap(d);
-  if (reached_.empty()) reached_.assign(model.contacts.size(), {-1, 0});
+  if (reached_.size() != model.contacts.size()) reached_.assign(model.contacts.size(), {-1, 0});
   d.setZero(system.force.size());
   const int moving = int(std::count_if(model.shapes.begin(), model.shapes.end(), [](const BlockShape& shape) { return shape.dofs > 0; }));
   const Step step{model, system, contacts, settings, dt, start, moving};

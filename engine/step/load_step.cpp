@@ -39,7 +39,7 @@ StepReport Stepper::load_step(double to, bool first) {
   if (first && plan_.contacts) search_.update(model_, 0);
   if (!fracture_) {
     const double from = model_.time;
-    model_.time = to;
+    model_.time = plan_.contacts && plan_.moving_supports ? reachable(to) : to;
     const LoadStepBooking booking(model_, supports_, from, first);
     Equilibrium search;
     search.in_place = !plan_.moving_supports;
@@ -50,6 +50,24 @@ StepReport Stepper::load_step(double to, bool first) {
   const std::vector<int> due = first ? std::vector<int>{} : fracture_->choose(false);
   fracture_->clear_events();
   return due.empty() ? raise_load(to, first) : break_bonds(due);
+}
+
+// How far a load step may go towards `to`: what is held or supported moves no farther in it than a step in motion may, or blocks that it pushes
+// would be held back in its search and slide by steps of that. Where a table jumps there is no such time.
+double Stepper::reachable(double to) const {
+  const double from = model_.time, most = model_.scene.time.displacement_ratio * model_.extent;
+  const auto way = [&](double until) {
+    double far = 0;
+    for (const Fixity& fixity : model_.scene.fixities) far = std::max(far, (fixity.moved(until) - fixity.moved(from)).norm());
+    return far;
+  };
+  double until = to;
+  for (int looks = 0; looks < 40; ++looks) {
+    const double far = way(until);
+    if (far <= most * (1 + 1e-9)) return until;
+    until = from + (until - from) * std::max(0.5, most / far);
+  }
+  return to;
 }
 
 // Where the first bond comes to its strength if utilisations go on as they have come up. Farther each time that it has

@@ -190,6 +190,7 @@ void Simulation::restore(const std::string& state) {
   recovery_.reset();
   recovered_step_ = -1;
   stopped_ = false;
+  collapsed_ = last.collapsed;
 }
 
 const Gas* Simulation::gas() const { return stepper_->gas(); }

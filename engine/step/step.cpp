@@ -108,7 +108,7 @@ StepReport Stepper::dynamic_step(double most) {
       ledger_.damping_work += taken.energy;
       ledger_.boundary_work += taken.boundary_work;
     }
-    if (model_.scene.numerics.sleeping && report.failures == 0) sleep_.fall_asleep(model_, islands_, search_.near());
+    if (model_.scene.numerics.sleeping && report.failures == 0 && !bonds_due()) sleep_.fall_asleep(model_, islands_, search_.near());
     ledger_.damping_work += damp(model_, kept);
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;

@@ -94,6 +94,7 @@ class Stepper {
   bool find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search);
   bool balance(Equilibrium& search);
   void start_sliding();
+  double reachable(double to) const;
   double foreseen(double from, double to, double utilisation) const;
   StepReport raise_load(double to, bool first);
   StepReport collapse(const Equilibrium& search);

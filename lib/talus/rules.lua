@@ -79,6 +79,12 @@ function rules.simulation(values, bad)
   if values.charges and require("talus.object").get(values.time, "mode") == "static" then
     bad("charges", 'time.mode = "dynamic", as gas moves rock in time', "static")
   end
+  for _, fix in ipairs(values.fix or {}) do
+    local object = require "talus.object"
+    if object.get(fix, "spin") ~= 0 and object.get(values.time, "mode") == "static" then
+      require("talus.places").fail(object.place(fix), ("fix.spin: expected 0, as a static run moves what is held but does not turn it, got %g"):format(object.get(fix, "spin")))
+    end
+  end
 end
 
 -- persistence = trace_length/(trace_length + gap): two of the three give the third.

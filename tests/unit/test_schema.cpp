@@ -94,7 +94,7 @@ local block = talus.region { name = "block", outline = talus.rect(1, 1, 2, 2), m
 talus.simulation {
   title = "all", gravity = {0, -9.81}, regions = { slab, block }, max_blocks = 1000,
   contacts = { talus.contact { between = { "slab", block }, joint = bond } },
-  fix = { talus.fix { region = slab, velocity = {0.1, 0}, spin = 1 }, talus.fix { region = "block", on = { "left", "top" }, x = true } },
+  fix = { talus.fix { region = slab, velocity = {0.1, 0} }, talus.fix { region = "block", on = { "left", "top" }, x = true } },
   loads = { talus.point_load { at = {1.5, 2}, force = {0, { {0, 0}, {2, 4} }} },
             talus.pressure { region = block, on = talus.line(1, 2, 2, 2), value = 5 },
             talus.edge_load { region = block, on = "right", traction = {1, function(t) return 2*t end} } },
