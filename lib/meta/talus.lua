@@ -295,7 +295,7 @@ function talus.gmsh(fields) end
 ---@field y? boolean held along y
 ---@field displacement? table m; prescribed displacement since the start
 ---@field velocity? table m/s; prescribed velocity
----@field spin? number rad/s; prescribed spin of a whole region about its centroid; in motion only
+---@field spin? number rad/s; prescribed spin of a whole region of one block about its centroid (of several: each about its own); in motion only
 
 ---Holds a region, an edge or a point, or moves it as prescribed. Where two hold the same direction of one place they move it alike.
 ---@param fields talus.fix

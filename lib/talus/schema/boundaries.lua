@@ -27,7 +27,7 @@ return {
       { name = "velocity", type = "histories", unit = "m/s", default_doc = "none", live = true,
         doc = "prescribed velocity" },
       { name = "spin", type = "number", unit = "rad/s", default = 0, live = true,
-        doc = "prescribed spin of a whole region about its centroid; in motion only" },
+        doc = "prescribed spin of a whole region of one block about its centroid (of several: each about its own); in motion only" },
     },
   },
   {
