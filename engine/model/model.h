@@ -244,7 +244,6 @@ struct HoleWall {
   double radius = 0;           // m, of a disc of its area
   std::vector<BlockEdge> edges;
   std::vector<size_t> outlines = {0};  // where in edges each begins
-  double taken = 0;                    // part of the hole's area, by what lies in it
 };
 
 struct GasFace {  // part of a block's edge under gas, in this step

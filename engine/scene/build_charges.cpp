@@ -17,8 +17,8 @@ constexpr double on_outline = 1e-9;  // of the scene's size, as for fixities: fa
 
 std::pair<double, double> key(const Vec2& p) { return {p.x(), p.y()}; }
 
-// Outlines of blocks, or of blocks that hang together, which lie in the hole with nothing of them outside.
-void add_loose(const Model& model, const Hole& hole, const std::vector<FreeEdge>& edges, HoleWall& wall) {
+// Outlines of blocks, or of blocks that hang together, which lie in the hole with nothing of them outside. Returns their part of its area.
+double add_loose(const Model& model, const Hole& hole, const std::vector<FreeEdge>& edges, HoleWall& wall) {
   std::multimap<std::pair<double, double>, const FreeEdge*> from;
   const auto lies_in = [&](int block) {
     const BlockShape& shape = model.shapes[block];
@@ -46,7 +46,7 @@ void add_loose(const Model& model, const Hole& hole, const std::vector<FreeEdge>
       edge = edge->to == start || next == end ? nullptr : next->second;
     }
   }
-  wall.taken = taken / (std::numbers::pi * wall.radius * wall.radius);
+  return taken / (std::numbers::pi * wall.radius * wall.radius);
 }
 
 HoleWall wall_of(const Model& model, int id, const std::vector<FreeEdge>& edges) {
@@ -78,8 +78,7 @@ HoleWall wall_of(const Model& model, int id, const std::vector<FreeEdge>& edges)
     throw InputError(charge.place, "charge.hole", "a hole with a closed wall of free edges",
                      "\"" + hole.name + "\", whose wall has " + std::to_string(wall.edges.size()) + " of " +
                          std::to_string(count) + " edges in a row" + (closed ? "" : ", which do not close"));
-  add_loose(model, hole, edges, wall);
-  if (!(wall.taken < 1 - on_outline))
+  if (!(add_loose(model, hole, edges, wall) < 1 - on_outline))
     throw InputError(charge.place, "charge.hole", "a hole with room for gas", "\"" + hole.name + "\", which is filled with blocks");
   return wall;
 }

@@ -56,14 +56,10 @@ StepReport Stepper::load_step(double to, bool first) {
 // would be held back in its search and slide by steps of that. Where a table jumps there is no such time.
 double Stepper::reachable(double to) const {
   const double from = model_.time, most = model_.scene.time.displacement_ratio * model_.extent;
-  const auto way = [&](double until) {
-    double far = 0;
-    for (const Fixity& fixity : model_.scene.fixities) far = std::max(far, (fixity.moved(until) - fixity.moved(from)).norm());
-    return far;
-  };
   double until = to;
   for (int looks = 0; looks < 40; ++looks) {
-    const double far = way(until);
+    double far = 0;
+    for (const Fixity& fixity : model_.scene.fixities) far = std::max(far, (fixity.moved(until) - fixity.moved(from)).norm());
     if (far <= most * (1 + 1e-9)) return until;
     until = from + (until - from) * std::max(0.5, most / far);
   }

@@ -104,10 +104,7 @@ StepReport Simulation::take_step() {
   last.factorisations = int(totals.factorisations - factors);
   totals.failures += last.failures;
   totals.largest_utilisation = std::max(totals.largest_utilisation, last.utilisation);
-  if (last.collapsed) {
-    collapsed_ = true;
-    notes.push_back(stepper_->collapse_note());
-  }
+  if (last.collapsed) notes.push_back(stepper_->collapse_note());
   totals.largest_residual = std::max(totals.largest_residual, last.residual);
   last.step = totals.steps;
   last.time = model.time;
@@ -190,7 +187,6 @@ void Simulation::restore(const std::string& state) {
   recovery_.reset();
   recovered_step_ = -1;
   stopped_ = false;
-  collapsed_ = last.collapsed;
 }
 
 const Gas* Simulation::gas() const { return stepper_->gas(); }
@@ -205,7 +201,7 @@ std::uint64_t Simulation::layout() const {
 
 bool Simulation::finished() const {
   const TimeControl& time = model.scene.time;
-  if (stopped_ || collapsed_ || (time.max_steps > 0 && totals.steps >= time.max_steps)) return true;
+  if (stopped_ || last.collapsed || (time.max_steps > 0 && totals.steps >= time.max_steps)) return true;
   if (plan.dynamic) return model.time >= time.t_end;
   if (time.t_end == 0) return totals.steps >= time.steps;
   return totals.steps > 0 && model.time >= time.t_end && !stepper_->bonds_due();

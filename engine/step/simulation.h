@@ -78,7 +78,7 @@ class Simulation {
   void stop() { stopped_ = true; }
   bool stopped() const { return stopped_; }
   bool begun() const { return begun_; }
-  bool collapsed() const { return collapsed_; }  // a static run has reached a load that nothing holds
+  bool collapsed() const { return last.collapsed; }  // a static run has reached a load that nothing holds
 
   // Joints that failed in the last step.
   const std::vector<int>& fractures() const;
@@ -120,7 +120,7 @@ class Simulation {
   std::unique_ptr<Recovery> recovery_;
   long recovered_step_ = -1;
   double next_load() const;  // s, to which the next load step goes
-  bool begun_ = false, stopped_ = false, collapsed_ = false;
+  bool begun_ = false, stopped_ = false;
 };
 
 }  // namespace talus

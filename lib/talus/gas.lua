@@ -95,10 +95,11 @@ local function check_orifice(values, bad)
   end
 end
 
+local function without_opening(venting) return object.kind(venting) == "orifice" and not given(venting, "opening") end
+
 -- Through what the collar lets gas out that an orifice is to pass.
 local function check_stemming(values, bad)
-  local orifice = values.venting
-  if object.kind(orifice) ~= "orifice" or given(orifice, "opening") or given(values.stemming, "charge_length") then return end
+  if not without_opening(values.venting) or given(values.stemming, "charge_length") then return end
   bad("stemming", "one with a charge_length (m), as the orifice has no opening of its own", "one without")
 end
 
@@ -106,8 +107,7 @@ end
 local function check_collars(charges)
   local through
   for i, charge in ipairs(charges) do
-    local orifice = given(charge, "venting")
-    if object.kind(orifice) == "orifice" and not given(orifice, "opening") then through = through or given(charge, "name") or ("charge %d"):format(i) end
+    if without_opening(given(charge, "venting")) then through = through or given(charge, "name") or ("charge %d"):format(i) end
   end
   for _, charge in ipairs(through and charges or {}) do
     local stemming = given(charge, "stemming")

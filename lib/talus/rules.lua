@@ -76,13 +76,13 @@ function rules.calibrate(values, bad)
 end
 
 function rules.simulation(values, bad)
-  if values.charges and require("talus.object").get(values.time, "mode") == "static" then
-    bad("charges", 'time.mode = "dynamic", as gas moves rock in time', "static")
-  end
+  local object = require "talus.object"
+  if object.get(values.time, "mode") ~= "static" then return end
+  if values.charges then bad("charges", 'time.mode = "dynamic", as gas moves rock in time', "static") end
   for _, fix in ipairs(values.fix or {}) do
-    local object = require "talus.object"
-    if object.get(fix, "spin") ~= 0 and object.get(values.time, "mode") == "static" then
-      require("talus.places").fail(object.place(fix), ("fix.spin: expected 0, as a static run moves what is held but does not turn it, got %g"):format(object.get(fix, "spin")))
+    local spin = object.get(fix, "spin")
+    if spin ~= 0 then
+      require("talus.places").fail(object.place(fix), ("fix.spin: expected 0, as a static run moves what is held but does not turn it, got %g"):format(spin))
     end
   end
 end
