@@ -1,4 +1,5 @@
 // The energies of a step's model: read off its state, and taken from the ledger.
+#include "equations/viscous_terms.h"
 #include "step/step.h"
 
 namespace talus {
