@@ -133,34 +133,35 @@ void step_over(const Model& model, const Contact& old, Contact& c) {
   if (up < 0) c.offset = std::max(std::min(0.0, c.offset), c.offset + up);
 }
 
-// State of the contacts that go on, and of those that hand over.
+// State of the contacts that go on, and of those that hand over. Both lists are in the order of key().
 // `cracked`: bonds have failed in this step.
 void carry_over(const Model& model, double dt, bool cracked, std::vector<Contact>& now) {
-  std::unordered_map<std::int64_t, const Contact*> before;
-  for (const Contact& c : model.awake_contacts()) before[c.key()] = &c;
   std::vector<Contact*> fresh;
+  std::unordered_map<std::int64_t, std::vector<const Contact*>> ended;  // by vertex, and by pair of blocks
+  const std::span<const Contact> before = model.awake_contacts();
+  auto old = before.begin();
+  const auto end_those_before = [&](std::int64_t key) {
+    for (; old != before.end() && old->key() < key; ++old) {
+      if (old->state == ContactState::open) continue;
+      ended[-1 - old->global_vertex].push_back(&*old);
+      ended[pair_key(old->i, old->j)].push_back(&*old);
+    }
+  };
   for (Contact& c : now) {
-    const auto found = before.find(c.key());
-    if (found == before.end()) {
+    end_those_before(c.key());
+    if (old == before.end() || old->key() != c.key()) {
       fresh.push_back(&c);
       continue;
     }
-    const Contact& old = *found->second;
-    if (old.state != ContactState::open) {  // a loaded spring keeps its stiffness
-      c.length = old.length;
-      c.kind = old.kind;
-      c.normal_stiffness = old.normal_stiffness;
-      c.shear_stiffness = old.shear_stiffness;
+    if (old->state != ContactState::open) {  // a loaded spring keeps its stiffness
+      c.length = old->length;
+      c.kind = old->kind;
+      c.normal_stiffness = old->normal_stiffness;
+      c.shear_stiffness = old->shear_stiffness;
     }
-    carry(old, c);
-    before.erase(found);
+    carry(*old++, c);
   }
-  std::unordered_map<std::int64_t, std::vector<const Contact*>> ended;  // by vertex, and by pair of blocks
-  for (const Contact& c : model.awake_contacts()) {
-    if (c.state == ContactState::open || !before.contains(c.key())) continue;
-    ended[-1 - c.global_vertex].push_back(&c);
-    ended[pair_key(c.i, c.j)].push_back(&c);
-  }
+  end_those_before(std::numeric_limits<std::int64_t>::max());
   for (Contact* c : fresh) {
     const Contact* old = nullptr;
     for (std::int64_t key : {std::int64_t(-1 - c->global_vertex), pair_key(c->i, c->j)})
@@ -207,6 +208,18 @@ void drop_points(const Model& model, const std::vector<MeetingCorners>& meeting,
         return true;
     return false;
   });
+}
+
+// A contact is too large to be moved about in sorting.
+void sort_by_key(std::vector<Contact>& contacts) {
+  std::vector<std::pair<std::int64_t, int>> order;
+  order.reserve(contacts.size());
+  for (size_t k = 0; k < contacts.size(); ++k) order.push_back({contacts[k].key(), int(k)});
+  std::sort(order.begin(), order.end());
+  std::vector<Contact> sorted;
+  sorted.reserve(contacts.size());
+  for (const auto& [key, k] : order) sorted.push_back(contacts[size_t(k)]);
+  contacts = std::move(sorted);
 }
 
 bool convex(const Model& model, int block) {
@@ -388,7 +401,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   }
   if (!seen.empty()) seen_.clear();  // another search than that of these velocities
   drop_points(model, meeting, bonded_, now);
-  std::sort(now.begin(), now.end(), [](const Contact& x, const Contact& y) { return x.key() < y.key(); });
+  sort_by_key(now);
   carry_over(model, dt, cracked, now);
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());
