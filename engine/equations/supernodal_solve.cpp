@@ -9,91 +9,144 @@ namespace talus {
 
 namespace {
 
-// Columns of the factor: `height` values each, from the rows of its own columns on.
+constexpr int wide = 8;  // numbers that are read at once
+
 template <class Scalar>
+struct Register;
+template <>
+struct Register<float> {
+  using Whole = float __attribute__((vector_size(32), aligned(4), may_alias));
+  using Half = float __attribute__((vector_size(16)));
+};
+template <>
+struct Register<double> {
+  using Whole = double __attribute__((vector_size(64), aligned(8), may_alias));
+  using Half = double __attribute__((vector_size(32)));
+};
+template <class Scalar>
+using Wide = Register<Scalar>::Whole;
+
+template <class Scalar>
+TALUS_WITHIN Wide<Scalar>& at(Scalar* from) {
+  return reinterpret_cast<Wide<Scalar>&>(*from);
+}
+template <class Scalar>
+TALUS_WITHIN const Wide<Scalar>& at(const Scalar* from) {
+  return reinterpret_cast<const Wide<Scalar>&>(*from);
+}
+
+// The sum of each of the four.
+template <class Scalar>
+TALUS_WITHIN void sum_up(const Wide<Scalar> (&parts)[4], Scalar (&sums)[4]) {
+  using Half = Register<Scalar>::Half;
+  Half half[4];
+  for (int m = 0; m < 4; ++m)
+    half[m] = __builtin_shufflevector(parts[m], parts[m], 0, 1, 2, 3) + __builtin_shufflevector(parts[m], parts[m], 4, 5, 6, 7);
+  const Half first = __builtin_shufflevector(half[0], half[1], 0, 4, 2, 6) + __builtin_shufflevector(half[0], half[1], 1, 5, 3, 7);
+  const Half second = __builtin_shufflevector(half[2], half[3], 0, 4, 2, 6) + __builtin_shufflevector(half[2], half[3], 1, 5, 3, 7);
+  const Half all = __builtin_shufflevector(first, second, 0, 1, 4, 5) + __builtin_shufflevector(first, second, 2, 3, 6, 7);
+  for (int m = 0; m < 4; ++m) sums[m] = all[m];
+}
+
+// Columns of the factor: `height` values each, from the rows of its own columns on. Most have six columns and twenty to forty rows: what is
+// beyond the last row is read and left with them, the beginning of the next column, and the rows of w go on with zeros. Where `to_the_end` no column follows.
+template <class Scalar, bool to_the_end>
 struct Supernode {
   int columns, height;
   const Scalar *values, *inverse;  // and 1 / its diagonal
 
   TALUS_WITHIN const Scalar* column(int j) const { return values + size_t(j) * size_t(height); }
 
-  // L⁻¹ of what is in w, whose first `columns` are solved and whose others get what these take from them.
-  TALUS_WITHIN void forward(Scalar* w) const {
+  // L⁻¹ of what is in w, whose first `columns` come to `own` and whose others get what these take from them.
+  TALUS_WITHIN void forward(Scalar* w, Scalar* own) const {
     int j = 0;
-    for (; j + 4 <= columns; j += 4) {  // four columns for each time w is read and written
-      const Scalar *a = column(j), *b = column(j + 1), *c = column(j + 2), *d = column(j + 3);
-      const Scalar wa = w[j] * inverse[j];
-      const Scalar wb = (w[j + 1] - a[j + 1] * wa) * inverse[j + 1];
-      const Scalar wc = (w[j + 2] - a[j + 2] * wa - b[j + 2] * wb) * inverse[j + 2];
-      const Scalar wd = (w[j + 3] - a[j + 3] * wa - b[j + 3] * wb - c[j + 3] * wc) * inverse[j + 3];
-      w[j] = wa, w[j + 1] = wb, w[j + 2] = wc, w[j + 3] = wd;
-#pragma omp simd
-      for (int i = j + 4; i < height; ++i) w[i] -= a[i] * wa + b[i] * wb + c[i] * wc + d[i] * wd;
-    }
-    for (; j < columns; ++j) {
-      const Scalar* const a = column(j);
-      const Scalar wa = w[j] *= inverse[j];
-#pragma omp simd
-      for (int i = j + 1; i < height; ++i) w[i] -= a[i] * wa;
-    }
+    for (; j + 4 <= columns; j += 4) forward_by<4>(j, w, own);
+    for (; j + 2 <= columns; j += 2) forward_by<2>(j, w, own);
+    if (j < columns) forward_by<1>(j, w, own);
+  }
+  // L⁻ᵀ of the first `columns` of w, whose others are known; to `own` too.
+  TALUS_WITHIN void backward(Scalar* w, Scalar* own) const {
+    int j = columns;
+    if (j % 2 != 0) backward_by<1>(--j, w, own);
+    if (j % 4 != 0) backward_by<2>(j -= 2, w, own);
+    while (j > 0) backward_by<4>(j -= 4, w, own);
   }
 
-  // L⁻ᵀ of the first `columns` of w, whose others are known.
-  TALUS_WITHIN void backward(Scalar* w) const {
-    int j = columns;
-    for (; j % 4 != 0; --j) {
-      const Scalar* const a = column(j - 1);
-      Scalar sum = 0;
-#pragma omp simd reduction(+ : sum)
-      for (int i = j; i < height; ++i) sum += a[i] * w[i];
-      w[j - 1] = (w[j - 1] - sum) * inverse[j - 1];
+ private:
+  // So many columns for each time that w is read.
+  template <int count>
+  TALUS_WITHIN void forward_by(int j, Scalar* w, Scalar* own) const {
+    const Scalar* l[count];
+    Scalar x[count];
+    for (int m = 0; m < count; ++m) {
+      l[m] = column(j + m);
+      Scalar left = w[j + m];
+      for (int k = 0; k < m; ++k) left -= l[k][j + m] * x[k];
+      own[j + m] = x[m] = left * inverse[j + m];
     }
-    for (j -= 4; j >= 0; j -= 4) {
-      const Scalar *a = column(j), *b = column(j + 1), *c = column(j + 2), *d = column(j + 3);
-      Scalar sa = 0, sb = 0, sc = 0, sd = 0;
-#pragma omp simd reduction(+ : sa, sb, sc, sd)
-      for (int i = j + 4; i < height; ++i) {
-        sa += a[i] * w[i];
-        sb += b[i] * w[i];
-        sc += c[i] * w[i];
-        sd += d[i] * w[i];
-      }
-      const Scalar wd = (w[j + 3] - sd) * inverse[j + 3];
-      const Scalar wc = (w[j + 2] - sc - c[j + 3] * wd) * inverse[j + 2];
-      const Scalar wb = (w[j + 1] - sb - b[j + 3] * wd - b[j + 2] * wc) * inverse[j + 1];
-      w[j] = (w[j] - sa - a[j + 3] * wd - a[j + 2] * wc - a[j + 1] * wb) * inverse[j];
-      w[j + 1] = wb, w[j + 2] = wc, w[j + 3] = wd;
+    int i = j + count;
+    for (; to_the_end ? i + wide <= height : i < height; i += wide) {
+      Wide<Scalar> below = at(w + i);
+      for (int m = 0; m < count; ++m) below -= at(l[m] + i) * x[m];
+      at(w + i) = below;
+    }
+    for (; to_the_end && i < height; ++i)
+      for (int m = 0; m < count; ++m) w[i] -= l[m][i] * x[m];
+  }
+  template <int count>
+  TALUS_WITHIN void backward_by(int j, Scalar* w, Scalar* own) const {
+    const Scalar* l[count];
+    Wide<Scalar> parts[4] = {};
+    for (int m = 0; m < count; ++m) l[m] = column(j + m);
+    int i = j + count;
+    for (; to_the_end ? i + wide <= height : i < height; i += wide)
+      for (int m = 0; m < count; ++m) parts[m] += at(l[m] + i) * at(w + i);
+    Scalar sums[4];
+    sum_up<Scalar>(parts, sums);
+    for (; to_the_end && i < height; ++i)
+      for (int m = 0; m < count; ++m) sums[m] += l[m][i] * w[i];
+    for (int m = count; m-- > 0;) {
+      Scalar left = w[j + m] - sums[m];
+      for (int k = m + 1; k < count; ++k) left -= l[m][j + k] * w[j + k];
+      own[j + m] = w[j + m] = left * inverse[j + m];
     }
   }
 };
 
-// y becomes (L Lᵀ)⁻¹ y. `part`: room for the rows of a supernode.
+// A supernode of the factor, with y and room for its rows and `wide` more, as behind y.
+template <class Scalar, bool last>
+struct Place {
+  Supernode<Scalar, last> node;
+  const int* rows;
+  Scalar *own, *part;
+
+  TALUS_WITHIN Place(const SupernodalFactor& whole, size_t s, const Scalar* values, const Scalar* inverse, Scalar* y, Scalar* room)
+      : node{whole.first[s + 1] - whole.first[s], whole.row_begin[s + 1] - whole.row_begin[s], values + whole.value_begin[s], inverse + whole.first[s]},
+        rows(whole.rows.data() + whole.row_begin[s]),
+        own(y + whole.first[s]),
+        part(room) {
+    for (int k = 0; k < node.columns; k += wide) at(part + k) = at(own + k);
+  }
+  TALUS_WITHIN void forward(Scalar* y) const {
+    for (int k = node.columns; k < node.height; k += wide) at(part + k) = Wide<Scalar>{};
+    node.forward(part, own);
+    for (int k = node.columns; k < node.height; ++k) y[rows[k]] += part[k];
+  }
+  TALUS_WITHIN void backward(const Scalar* y) const {
+    for (int k = node.columns; k < node.height; ++k) part[k] = y[rows[k]];
+    at(part + node.height) = Wide<Scalar>{};
+    node.backward(part, own);
+  }
+};
+
+// y becomes (L Lᵀ)⁻¹ y.
 template <class Scalar>
 TALUS_WITHIN void substitute_in(const SupernodalFactor& whole, const Scalar* values, const Scalar* inverse, Scalar* y, Scalar* part) {
-  const size_t count = whole.first.size() - 1;
-  const auto supernode = [&](size_t s) {
-    const int first = whole.first[s];
-    return Supernode<Scalar>{whole.first[s + 1] - first, whole.row_begin[s + 1] - whole.row_begin[s], values + whole.value_begin[s], inverse + first};
-  };
-  for (size_t s = 0; s < count; ++s) {
-    const Supernode<Scalar> node = supernode(s);
-    Scalar* const own = y + whole.first[s];
-    const int* const below = whole.rows.data() + whole.row_begin[s];
-    std::copy_n(own, node.columns, part);
-    std::fill(part + node.columns, part + node.height, Scalar(0));
-    node.forward(part);
-    std::copy_n(part, node.columns, own);
-    for (int k = node.columns; k < node.height; ++k) y[below[k]] += part[k];
-  }
-  for (size_t s = count; s-- > 0;) {
-    const Supernode<Scalar> node = supernode(s);
-    Scalar* const own = y + whole.first[s];
-    const int* const below = whole.rows.data() + whole.row_begin[s];
-    std::copy_n(own, node.columns, part);
-    for (int k = node.columns; k < node.height; ++k) part[k] = y[below[k]];
-    node.backward(part);
-    std::copy_n(part, node.columns, own);
-  }
+  const size_t last = whole.first.size() - 2;
+  for (size_t s = 0; s < last; ++s) Place<Scalar, false>(whole, s, values, inverse, y, part).forward(y);
+  Place<Scalar, true>(whole, last, values, inverse, y, part).forward(y);
+  Place<Scalar, true>(whole, last, values, inverse, y, part).backward(y);
+  for (size_t s = last; s-- > 0;) Place<Scalar, false>(whole, s, values, inverse, y, part).backward(y);
 }
 
 TALUS_WIDE void substitute(const SupernodalFactor& whole, const float* values, const float* inverse, float* y, float* part) {
@@ -110,8 +163,8 @@ bool SupernodalSolve<Scalar>::take(const SupernodalFactor& factor) {
   constexpr double least = 1e-15, largest = 1e15;  // their products with unknowns near one stay in the range of single precision
   whole_ = factor;
   inverse_.resize(factor.order.size());
-  y_.resize(factor.order.size());
-  part_.resize(factor.order.size());
+  y_.resize(factor.order.size() + wide);
+  part_.resize(factor.order.size() + wide);
   if constexpr (copies) {
     values_.resize(factor.values.size());
     for (size_t k = 0; k < values_.size(); ++k) {
