@@ -1,4 +1,6 @@
 // The `talus` command: finds the subcommand; without one, the arguments are of a scene to run.
+#include <malloc.h>
+
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -79,6 +81,11 @@ int execute(const Arguments& arguments) {
 }  // namespace talus
 
 int main(int argc, char** argv) {
+#ifdef __GLIBC__
+  // What a step gives back the next one takes: through the system it would come anew, page by page.
+  mallopt(M_TRIM_THRESHOLD, -1);
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // bytes, the most that glibc takes
+#endif
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails, with a message
   try {
     return talus::execute({argv + 1, argv + argc});

@@ -352,19 +352,28 @@ void ContactSearch::find_outlines(const Model& model) {
 
 // Whether the last search found all there is: the same places, velocities, step and joints, to the last bit.
 bool ContactSearch::unmoved(const Model& model, double dt) {
-  std::vector<double> now;
-  now.reserve(12 * model.blocks.size() + 1);
+  bool same = dt == seen_dt_;
+  size_t count = 0;
+  const auto see = [&](std::span<const double> now) {
+    if (count + now.size() > seen_.size()) {
+      same = false;
+      seen_.resize(count + now.size());
+    }
+    double* const before = seen_.data() + count;
+    same = same && std::equal(now.begin(), now.end(), before);
+    std::copy(now.begin(), now.end(), before);
+    count += now.size();
+  };
   for (size_t k = 0; k < model.blocks.size(); ++k) {
     if (model.sleeps(int(k))) continue;
     const BlockState& b = model.blocks[k];
-    now.insert(now.end(), {b.shift.x(), b.shift.y(), b.angle, b.strain[0], b.strain[1], b.strain[2]});
-    now.insert(now.end(), b.velocity.begin(), b.velocity.begin() + model.shapes[k].rate_count());
-    if (model.shapes[k].second_order()) now.insert(now.end(), b.bend.begin(), b.bend.end());
+    see(std::array{b.shift.x(), b.shift.y(), b.angle, b.strain[0], b.strain[1], b.strain[2]});
+    see(std::span(b.velocity).first(size_t(model.shapes[k].rate_count())));
+    if (model.shapes[k].second_order()) see(b.bend);
   }
-  now.push_back(double(model.revision));
-  now.push_back(double(model.sleep_changes));
-  const bool same = now == seen_ && dt == seen_dt_;
-  seen_ = std::move(now);
+  see(std::array{double(model.revision), double(model.sleep_changes)});
+  same = same && count == seen_.size();
+  seen_.resize(count);
   seen_dt_ = dt;
   return same;
 }

@@ -54,15 +54,15 @@ struct Rotation {
 };
 
 // Where a block is: what a step changes and a snapshot keeps.
-struct BlockState {
+struct BlockState {  // what first-order blocks have comes first and lies together
+  double weighed_ahead = 0;          // s: the ledger weighs it at X + weighed_ahead·v (step/ledger.h, weigh)
   Vec2 shift = Vec2::Zero();         // m, of the centroid since the start: kept apart from the place, so that a
                                      // joint's jump is a difference of displacements and keeps its digits
   Vec2 centroid = Vec2::Zero();      // m, reference centroid + shift
   double angle = 0;                  // rad, since the start
   Vec3 strain = Vec3::Zero();        // εx, εy, γxy in the block's axes, since the start; of second order at the centroid
-  BendArray bend{};                  // m, of second-order blocks: model/bend.h
   std::array<double, max_dofs> velocity{};  // rates of the unknowns, m/s
-  double weighed_ahead = 0;          // s: the ledger weighs it at X + weighed_ahead·v (step/ledger.h, weigh)
+  BendArray bend{};                  // m, of second-order blocks: model/bend.h
 };
 
 // What a block is: constant after build.

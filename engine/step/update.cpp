@@ -8,11 +8,12 @@
 namespace talus {
 
 std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, const Vector& d) {
-  std::vector<BlockState> moved = model.blocks;
-  for (size_t b = 0; b < moved.size(); ++b) {
+  std::vector<BlockState> moved;
+  moved.reserve(model.blocks.size());
+  for (size_t b = 0; b < model.blocks.size(); ++b) {
+    BlockState& state = moved.emplace_back(model.blocks[b]);
     if (model.sleeps(int(b))) continue;
     const BlockShape& shape = model.shapes[b];
-    BlockState& state = moved[b];
     const auto v0 = state.velocity;
     const int size = shape.rate_count();
     std::array<double, max_dofs> move;
@@ -26,12 +27,11 @@ std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, c
     state.centroid = shape.reference_centroid + state.shift;
     state.angle += move[2] / shape.length;
     state.strain += Vec3(move[3], move[4], move[5]) / shape.length;
-    const BendArray bend0 = state.bend;
     for (int k = first_order_dofs; k < size; ++k) state.bend[k - first_order_dofs] += move[k];
     if (shape.dofs > rigid_dofs && scheme.step_v > 0) {
       // Solved with the reference moment I; the spin momentum I(e) ω is what is kept.
       const double i = moment_of_inertia(model, int(b), Vec3::Zero()),
-                   before = moment_of_inertia(model, int(b), strain0, bend0),
+                   before = moment_of_inertia(model, int(b), strain0, model.blocks[b].bend),
                    after = moment_of_inertia(model, int(b), state.strain, state.bend);
       state.velocity[2] = (before * v0[2] + i * (state.velocity[2] - v0[2])) / after;
     }
