@@ -28,7 +28,7 @@ class BridgeLaws {
   }
 
   double tension(double slip, double opening) const {
-    return aslant_ * std::max(0.0, left(slip, opening).tension - property_.residual.tension);
+    return aslant_ * left(slip, opening).tension;  // contacts carry none
   }
   double cohesion(double slip, double opening) const {
     return held_ * std::max(0.0, left(slip, opening).cohesion - property_.residual.cohesion);

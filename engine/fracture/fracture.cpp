@@ -105,7 +105,7 @@ void Fracture::fail(const std::vector<int>& joints, double time) {
   }
   for (const int j : joints) {
     model_.joints[j].state = JointState::failed;
-    weaken(model_.joints[j], 0);
+    weaken(model_.joints[j], std::min(0.0, model_.joints[j].failed_with.normal));
     begin_bridges(model_, model_.joints[j]);
   }
   model_.fragment = find_fragments(model_);
@@ -140,6 +140,9 @@ void Fracture::heal() {
     joint.state = JointState::intact;
     joint.mode = FailureMode::none;
     joint.crack = CrackKind::none;
+    joint.failed_at = 0;
+    joint.failed_with = {};
+    joint.remaining = {};
     joint.most_opening = joint.most_slip = 0;
     joint.off_path = Vec2::Zero();
     joint.path_turn = 0;

@@ -127,16 +127,17 @@ void visit_charges(Scene& scene, StateVisitor& v) {
 }
 
 void visit_state(BlockState& state, StateVisitor& v) {
-  [[maybe_unused]] auto& [shift, centroid, angle, strain, bend, velocity, weighed_ahead] = state;  // bend, its rates: see Bends
-  v("shift", shift);
-  v("centroid", centroid);
-  v("angle", angle);
-  v("strain", strain);
+  // Seven members and no more, by name: bindings go by their order. Bend and its rates: see Bends.
+  [[maybe_unused]] const auto& [first_member, second, third, fourth, fifth, sixth, seventh] = state;
+  v("shift", state.shift);
+  v("centroid", state.centroid);
+  v("angle", state.angle);
+  v("strain", state.strain);
   std::array<double, first_order_dofs> first;
-  std::copy_n(velocity.begin(), first.size(), first.begin());
+  std::copy_n(state.velocity.begin(), first.size(), first.begin());
   v("velocity", first);
-  std::copy(first.begin(), first.end(), velocity.begin());
-  v("weighed_ahead", weighed_ahead);
+  std::copy(first.begin(), first.end(), state.velocity.begin());
+  v("weighed_ahead", state.weighed_ahead);
 }
 
 void visit_state(BlockShape& shape, StateVisitor& v) {

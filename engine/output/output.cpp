@@ -159,6 +159,8 @@ void RunOutput::rewind(const Simulation& simulation, const std::string& from) {
   parts_->history->rewind(parts_->row_step);
   for (std::optional<PvdSeries>* series : {&parts_->blocks, &parts_->joints, &parts_->cracks})
     if (*series) (*series)->rewind(parts_->frames);
+  const double every = simulation.model.scene.output.every;  // of now: a state may have been saved with another
+  parts_->next = every > 0 ? every * (std::floor((simulation.model.time + 1e-9 * every) / every) + 1) : 0;
   parts_->restores.push_back({from, simulation.totals.steps, simulation.model.time});
 }
 

@@ -10,9 +10,13 @@
 
 namespace talus {
 
+std::string checkpoint_file(const std::string& asked, const std::string& dir, int simulation) {
+  if (asked.empty()) return dir + "/" + checkpoint_name;
+  return simulation > 1 ? asked + "." + std::to_string(simulation) : asked;
+}
+
 std::string Checkpoints::file(const Run& run) const {
-  const std::string& dir = run.simulation.model.scene.output.dir;
-  return options_.file.empty() ? dir + "/" + checkpoint_name : options_.file;
+  return checkpoint_file(options_.file, run.simulation.model.scene.output.dir, run.number());
 }
 
 void Checkpoints::check_place(const Run& run) const {

@@ -11,10 +11,12 @@ namespace talus {
 struct CheckpointOptions {
   double seconds = 0;  // of the clock, between two; or
   long steps = 0;
-  std::string file;  // empty: checkpoint_name in the run's own output folder
+  std::string file;  // empty: checkpoint_name in the run's own output folder; see checkpoint_file
 };
 
 constexpr const char* checkpoint_name = "checkpoint.state";
+// Of the simulation of this number: the first has the file that was asked for, if one was, the others their number behind its name.
+std::string checkpoint_file(const std::string& asked, const std::string& dir, int simulation);
 
 class Checkpoints {
  public:

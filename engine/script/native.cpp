@@ -1,5 +1,6 @@
 #include "script/native.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -113,9 +114,18 @@ int native_explain(lua_State* L) {
 }
 
 // What a simulation has no part for that was made without it.
-void refuse_late(lua_State* L, const Plan& plan, const std::string& list, const TableReader& entry) {
+void refuse_late(lua_State* L, const Simulation& simulation, const std::string& list, int index, const TableReader& entry) {
+  const Plan& plan = simulation.plan;
   double restitution = 1, spin = 0;
-  if (list == "properties") entry.read("restitution", restitution);
+  bool breaks = false;
+  if (list == "properties") {
+    entry.read("restitution", restitution);
+    entry.read("breaks", breaks);
+    const auto bonded = [&](const Joint& joint) { return joint.property == index && joint.bonded; };
+    const std::vector<Joint>& joints = simulation.model.joints;
+    if (breaks && !simulation.model.scene.properties[size_t(index)].breaks && std::any_of(joints.begin(), joints.end(), bonded))
+      refuse(L, "joint.tension: expected a joint that had a strength when the simulation was made; give it a large one there, as in tension = 1e12, cohesion = 1e12");
+  }
   if (list == "fixities") entry.read("spin", spin);
   if (restitution < 1 && plan.dynamic && plan.contacts && !plan.restitution)
     refuse(L, "joint.restitution: expected 1, as no joint of the simulation had one below 1 when it was made; give one of them 0.999 there");
@@ -129,7 +139,7 @@ int native_update(lua_State* L) {
   run->refuse_inside_step(L, "a change of a " + std::string(luaL_checkstring(L, 5)));
   const auto index = static_cast<int>(luaL_checkinteger(L, 3)) - 1;
   Model& model = run->simulation.model;
-  refuse_late(L, run->simulation.plan, luaL_checkstring(L, 2), TableReader(L, 4));
+  refuse_late(L, run->simulation, luaL_checkstring(L, 2), index, TableReader(L, 4));
   update_scene(model.scene, luaL_checkstring(L, 2), index, TableReader(L, 4), model.time);
   model.changed();
   return 0;

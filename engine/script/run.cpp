@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "gas/gas.h"
+#include "model/fields.h"
 #include "output/report.h"
 #include "script/fracture_view.h"
 #include "script/gas_view.h"
@@ -57,6 +58,8 @@ double call_field(const std::weak_ptr<Run>& run, const std::string& name, const 
 std::shared_ptr<Run> Run::create(Scene scene, RunHandlers handlers, const RunSettings& settings) {
   const auto self = std::make_shared<std::weak_ptr<Run>>();
   for (const auto& [name, function] : handlers.fields) {
+    if (name == "id" || find_field(block_fields(), name))
+      throw InputError(scene.output.place, "output.fields", "a name that no field of blocks has", '"' + name + '"');
     scene.output.fields.emplace_back(
         name, [self, name, function](int block) { return call_field(*self, name, function, block); });
   }
@@ -218,7 +221,7 @@ void Run::restore(const SavedRun& saved, const std::string& from) {
 }
 
 void Run::frame() {
-  if (!output_ || in_frame_) return;
+  if (!output_ || in_frame_ || restart_) return;  // what is still to be restored has these frames
   in_frame_ = true;
   try {
     output_->frame(simulation);

@@ -57,6 +57,7 @@ class Run {
   void restore(const SavedRun& saved, const std::string& from);
   const std::optional<Restart>& restart() const { return restart_; }  // that is still to come
 
+  int number() const { return number_; }  // of the simulations that the script makes
   bool stepped() const { return stepped_; }
   // Whether the run has come to its end of itself. One that the script has stopped would go on when it is restored.
   bool ended() const { return simulation.finished() && !simulation.stopped() && !simulation.collapsed(); }

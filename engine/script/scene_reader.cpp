@@ -100,6 +100,8 @@ JointProperty read_property(const TableReader& t) {
   t.read("weibull", p.weibull);
   t.read("seed", p.seed);
   read_failure_laws(t, p);
+  // Contacts carry no tension: what is left of it is for bridges, which have it from a law.
+  if (!p.reduction && p.residual.tension > 0) p.reduction = [left = p.residual](const Strength&, const JointWear&) { return left; };
   return p;
 }
 

@@ -136,7 +136,7 @@ void Session::read_restart() {
 // --resume: what the run itself has written.
 void Session::find_checkpoint(const std::string& dir, RunSettings& settings) const {
   const std::string& own = options_.checkpoint ? options_.checkpoint->file : std::string();
-  const std::string file = own.empty() ? dir + "/" + checkpoint_name : own;
+  const std::string file = checkpoint_file(own, dir, settings.number);
   if ((own.empty() && dir.empty()) || !std::filesystem::exists(file)) return;
   Restart found = read_saved(file, "--resume");
   if (found.saved.simulation == settings.number) settings.restart = std::move(found);

@@ -105,6 +105,7 @@ std::string Stepper::settle() {
   end_sliding(model_);
   for (Contact& contact : model_.contacts) contact.slip = 0;
   keep_viscous_tractions(model_);
+  if (fracture_) fracture_->weaken();
   return {};
 }
 

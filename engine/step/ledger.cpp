@@ -197,10 +197,12 @@ std::vector<LoadStepBooking::Force> LoadStepBooking::forces(const Model& model, 
   Poses now;
   now.predict(model, Scheme::equilibrium());
   std::vector<Force> all;
-  each_load(model, now, time, [&](int, const LoadPoint& point, const Vec2& force) { all.push_back({force, point.at}); });
+  each_load(model, now, time, [&](int block, const LoadPoint& point, const Vec2& force) {
+    if (model.shapes[size_t(block)].dofs > 0) all.push_back({force, point.at});
+  });
   for (size_t b = 0; b < model.blocks.size(); ++b)
-    all.push_back(
-        {model.shapes[b].area * body_force(model, model.shapes[b].region, 0, time), model.blocks[b].centroid});
+    if (model.shapes[b].dofs > 0)
+      all.push_back({model.shapes[b].area * body_force(model, model.shapes[b].region, 0, time), model.blocks[b].centroid});
   return all;
 }
 

@@ -78,7 +78,7 @@ double Stepper::foreseen(double from, double to, double utilisation) const {
 // taken again, to where the first bond reaches it. So is one on whose way the rock would jump, unless utilisations, as
 // they have come up, would stay within the overshoot: then the load at which it jumps is known as well as any strength.
 StepReport Stepper::raise_load(double to, bool first) {
-  const double from = model_.time, soonest = from + least_increment * model_.scene.time.t_end;
+  const double from = model_.time, soonest = std::min(to, from + least_increment * model_.scene.time.t_end);
   const double overshoot = model_.scene.fracture.overshoot, before = fracture_->judge();
   double until = foreseen(from, to, before);
   const double pace = std::max(pace_, from > 0 ? before / from : 0);

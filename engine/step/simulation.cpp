@@ -83,7 +83,7 @@ StepReport Simulation::step() {
   // A step of motion puts back itself what an attempt has changed. What looks for equilibrium does not.
   const std::string before = plan.dynamic && begun_ ? std::string() : save();
   try {
-    return take_step();
+    take_step();
   } catch (...) {
     if (before.empty())
       stepper_->left();
@@ -91,9 +91,11 @@ StepReport Simulation::step() {
       restore(before);
     throw;
   }
+  for (const auto& handler : on_step) handler(*this);  // the step stands, whatever they do: it is written
+  return last;
 }
 
-StepReport Simulation::take_step() {
+void Simulation::take_step() {
   begin();
   const long factors = totals.factorisations;
   last = half_steps_ ? half_steps_->step()
@@ -110,8 +112,6 @@ StepReport Simulation::take_step() {
   last.time = model.time;
   if (plan.dynamic) keep_peaks(model);
   last.closed_contacts = stepper_->closed_contacts();
-  for (const auto& handler : on_step) handler(*this);
-  return last;
 }
 
 // Load steps are even parts of t_end; bonds that fail, and increments cut short because one will, come between.

@@ -111,7 +111,7 @@ class Simulation {
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
   template <class Visitor>
   Visitor visited() const;  // by a visitor that only reads
-  StepReport take_step();
+  void take_step();
   void settle();  // equilibrium, with the initial velocities kept
 
   Fingerprint fingerprint_;

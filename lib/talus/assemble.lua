@@ -172,10 +172,26 @@ local function add_charges(assembly, charges, regions, links)
   end
 end
 
+-- Names of columns.
+local function check_printable(self, field, name)
+  if name:find("%c") then
+    places.fail(object.place(self), ("%s: expected a name without line ends and other control characters, got %q"):format(field, name))
+  end
+end
+
 local function add_probes(assembly, links)
+  local moving = {}
+  for i, fix in ipairs(assembly.rosters.fix.list) do
+    if given(fix, "displacement") or given(fix, "velocity") then moving[assembly.rosters.fix.names[i]] = true end
+  end
   for i, entry in ipairs(given(assembly.simulation, "probes") or {}) do
     local probe = entry.value
     local is_object = object.kind(probe) == "probe"
+    check_printable(assembly.simulation, "simulation.probes", entry.name)
+    if moving[entry.name] then
+      places.fail(object.place(assembly.simulation),
+        ("simulation.probes: expected another name than %q, which a fix that moves has: both have columns of history.csv"):format(entry.name))
+    end
     assembly.scene.probes[i] = {
       name = entry.name,
       place = is_object and object.place(probe) or object.place(assembly.simulation),
@@ -224,6 +240,7 @@ end
 local function fields_of(output)
   local fields = {}
   for i, entry in ipairs(output and given(output, "fields") or {}) do
+    check_printable(output, "output.fields", entry.name)
     fields[i] = { name = entry.name, law = entry.value }
   end
   return fields

@@ -28,9 +28,17 @@ for _, word in ipairs { "material", "joint", "region", "fix", "load" } do
   methods[word] = function(sim, wanted)
     local roster = rosters[sim][word]
     if roster.list[wanted] then return roster.list[wanted] end
+    local found
     for i, name in ipairs(roster.names) do
-      if name == wanted then return roster.list[i] end
+      if name == wanted then
+        if found then
+          places.fail(places.here(), ("sim:%s: expected a name that one %s has, got %s, which several have: give its number, in the order of the list")
+            :format(word, word, native.describe(wanted)))
+        end
+        found = roster.list[i]
+      end
     end
+    if found then return found end
     places.fail(places.here(), ("sim:%s: there is no %s %s%s"):format(word, word, native.describe(wanted),
       native.suggestion(tostring(wanted), roster.names)))
   end

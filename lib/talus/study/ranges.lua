@@ -87,8 +87,9 @@ function ranges.points(sample)
     local cells = permutation(n, random)
     for i = 1, n do
       local share = (cells[i] - 1 + random())/n
-      local value = log[range.name] and low*(high/low)^share or low + (high - low)*share
-      if whole[range.name] then value = math.min(high, math.floor(low + (high - low + 1)*share)) end
+      local top = whole[range.name] and high + 1 or high  -- each whole number has the part of the range up to the next
+      local value = log[range.name] and low*(top/low)^share or low + (top - low)*share
+      if whole[range.name] then value = math.min(high, math.floor(value)) end
       points[i][range.name] = tonumber(("%.6g"):format(value))
     end
   end
