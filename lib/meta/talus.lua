@@ -293,7 +293,7 @@ function talus.gmsh(fields) end
 ---@field on? string|string[]|table a `talus.line` (boundary edges on it), or sides of the region's box: `"left"`, `"right"`, `"top"`, `"bottom"`, one or a list, or a `talus.point` (the region's point nearest to it)
 ---@field x? boolean held along x
 ---@field y? boolean held along y
----@field displacement? table m; prescribed displacement since the start
+---@field displacement? table m; prescribed displacement since the start; 0 along what is not held
 ---@field velocity? table m/s; prescribed velocity
 ---@field spin? number rad/s; prescribed spin of a whole region of one block about its centroid (of several: each about its own); in motion only
 

@@ -132,6 +132,17 @@ function rules.fix(values, bad)
   if values.displacement and values.velocity then bad(nil, "displacement or velocity", "both") end
   if values.spin and values.on then bad("spin", "a fixity of the whole region", "one with `on`") end
   if values.x == false and values.y == false then bad(nil, "x or y to be held", "neither") end
+  local held = { values.x, values.y }
+  if held[1] == nil then held[1] = values.y ~= true end
+  if held[2] == nil then held[2] = values.x ~= true end
+  for _, field in ipairs { "displacement", "velocity" } do
+    for k, axis in ipairs { "x", "y" } do
+      local value = values[field] and values[field][k]
+      if value and value ~= 0 and not held[k] then
+        bad(("%s[%d]"):format(field, k), ("0, as %s is not held"):format(axis), native.describe(value))
+      end
+    end
+  end
 end
 
 -- The law is tried standing and moving, twice alike: steps call it again when they are repeated.

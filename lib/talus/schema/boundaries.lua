@@ -23,7 +23,7 @@ return {
       { name = "x", type = "boolean", default_doc = "true unless only y is given", doc = "held along x" },
       { name = "y", type = "boolean", default_doc = "true unless only x is given", doc = "held along y" },
       { name = "displacement", type = "histories", unit = "m", default_doc = "none", live = true,
-        doc = "prescribed displacement since the start" },
+        doc = "prescribed displacement since the start; 0 along what is not held" },
       { name = "velocity", type = "histories", unit = "m/s", default_doc = "none", live = true,
         doc = "prescribed velocity" },
       { name = "spin", type = "number", unit = "rad/s", default = 0, live = true,
