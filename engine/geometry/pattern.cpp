@@ -6,9 +6,6 @@
 #include "geometry/tessellation.h"
 
 namespace talus {
-namespace {
-
-// Corners counter-clockwise, the first edge being the one that runs most nearly along +x.
 Polyline turned_corners(Polyline corners) {
   if (signed_area(corners) < 0) std::reverse(corners.begin(), corners.end());
   int first = 0;
@@ -23,6 +20,8 @@ Polyline turned_corners(Polyline corners) {
   std::rotate(corners.begin(), corners.begin() + first, corners.end());
   return corners;
 }
+
+namespace {
 
 bool is_rectangle(const Polyline& outline) {
   if (outline.size() != 4) return false;

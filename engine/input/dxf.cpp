@@ -62,6 +62,8 @@ class DxfReader {
   std::string layer(const Entity& entity) const;
   // 1, -1 where it is seen from below (extrusion 0, 0, -1: x is mirrored), 0 where it lies in another plane.
   int side(const Entity& entity) const;
+  // Of a layout, its frame or its title: not of the drawn ground.
+  bool on_paper(const Entity& entity) const { return value(entity, 67, 0) == 1; }
   [[noreturn]] void refuse(int line, const std::string& expected, const std::string& given) const {
     throw FileError(file_, line, expected, given);
   }
@@ -157,11 +159,17 @@ void DxfReader::add_arc(const Entity& entity, bool whole) {
 // POLYLINE comes with VERTEX entities up to SEQEND.
 void DxfReader::take_polyline(const Entity& entity) {
   if (entity.type == "VERTEX") {
+    constexpr long of_frame = 16;  // a control point of a spline, not of its curve
+    if ((static_cast<long>(value(entity, 70, 0)) & of_frame) != 0) return;
     vertices_.push_back({{value(entity, 10), value(entity, 20)}, value(entity, 42, 0)});
     return;
   }
   if (entity.type != "SEQEND") refuse(entity.line, "VERTEX or SEQEND after POLYLINE", quoted(entity.type));
   in_polyline_ = false;
+  if (on_paper(polyline_)) {
+    ++drawing_.skipped["POLYLINE in paper space"];
+    return;
+  }
   const long flags = static_cast<long>(value(polyline_, 70, 0));
   if ((flags & (16 | 64)) != 0 || side(polyline_) == 0) {
     ++drawing_.skipped[side(polyline_) == 0 ? "POLYLINE in another plane" : "POLYLINE mesh"];
@@ -173,6 +181,10 @@ void DxfReader::take_polyline(const Entity& entity) {
 
 void DxfReader::take(Entity entity) {
   if (in_polyline_) return take_polyline(entity);
+  if (on_paper(entity) && entity.type != "POLYLINE") {
+    ++drawing_.skipped[std::string(entity.type.substr(0, 40)) + " in paper space"];
+    return;
+  }
   if (entity.type == "LINE")
     return add(entity, {{value(entity, 10), value(entity, 20)}, {value(entity, 11), value(entity, 21)}}, false);
   const bool known = entity.type == "LWPOLYLINE" || entity.type == "ARC" || entity.type == "CIRCLE";

@@ -197,7 +197,8 @@ void GmshReader::add_element(long type, long group, const Words& nodes, std::siz
   if (kind.corners == 2 && group != 0) mesh_.curves[name_of(1, group)].lines.push_back({cell[0], cell[1]});
   if (kind.corners < 3) return;
   double twice = 0;
-  for (std::size_t k = 0; k < cell.size(); ++k) twice += cross(mesh_.points[cell[k]], mesh_.points[cell[(k + 1) % cell.size()]]);
+  const Vec2& first_corner = mesh_.points[cell[0]];  // differences keep their digits far from the origin
+  for (std::size_t k = 1; k + 1 < cell.size(); ++k) twice += cross(mesh_.points[cell[k]] - first_corner, mesh_.points[cell[k + 1]] - first_corner);
   if (twice == 0) refuse("an element with an area", "one without");
   if (twice < 0) std::reverse(cell.begin(), cell.end());
   mesh_.surfaces[name_of(2, group)].cells.push_back(std::move(cell));

@@ -196,9 +196,16 @@ void attach_fixity(Model& model, int id, const Finder& finder) {
   }
 }
 
+// What is held bears a load, or stays, without a word: where it meets what is not, that is meant.
+std::vector<int> free_first(const Model& model, std::vector<int> blocks) {
+  const auto held = [&](int block) { return model.shapes[size_t(block)].dofs == 0; };
+  if (!std::all_of(blocks.begin(), blocks.end(), held)) std::erase_if(blocks, held);
+  return blocks;
+}
+
 void attach_point_load(Model& model, int id, const Finder& finder) {
   const PointLoad& load = model.scene.point_loads[id];
-  const std::vector<int> blocks = finder.blocks_at(load.at, load.region);
+  const std::vector<int> blocks = free_first(model, finder.blocks_at(load.at, load.region));
   if (blocks.empty())
     throw InputError(load.place, "point_load.at", "a point inside a block",
                      at_text(load.at + model.origin) + ", which is outside every block");
@@ -257,7 +264,7 @@ void attach_viscous(Model& model, int id, const Finder& finder) {
 
 void attach_probe(Model& model, int id, const Finder& finder) {
   const Probe& probe = model.scene.probes[id];
-  const std::vector<int> blocks = finder.blocks_at(probe.at, probe.region);
+  const std::vector<int> blocks = free_first(model, finder.blocks_at(probe.at, probe.region));
   if (blocks.empty())
     throw InputError(probe.place, "probes." + probe.name, "a point inside a block",
                      at_text(probe.at + model.origin) + ", which is outside every block");

@@ -1,4 +1,5 @@
 // Regions -> tessellations -> blocks, joints and mesh nodes.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -76,7 +77,9 @@ void check_cuts(const Region& region, const Cuts& cuts, const Tessellation& t, s
 std::pair<int, int> pattern_counts(const Polyline& outline, const Mesh& mesh) {
   if (mesh.nx > 0 && mesh.ny > 0) return {mesh.nx, mesh.ny};
   const auto count = [&](double side) { return std::max(1.0, std::round(side / mesh.size)); };
-  const double nx = count((outline[1] - outline[0]).norm()), ny = count((outline[2] - outline[1]).norm());
+  if (outline.size() != 4) return {1, 1};  // refused as no rectangle
+  const Polyline corners = turned_corners(outline);
+  const double nx = count((corners[1] - corners[0]).norm()), ny = count((corners[2] - corners[1]).norm());
   if (nx * ny > 1e9) throw std::length_error(std::to_string(nx * ny) + " rectangles");
   return {int(nx), int(ny)};
 }

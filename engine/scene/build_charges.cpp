@@ -102,6 +102,28 @@ void note_late(Model& model, const Charge& charge) {
   model.notes.push_back("charge \"" + charge.name + "\" does not go off: " + text);
 }
 
+// Block and edge, of those that a fixity holds from end to end; rigid blocks, and those that springs hold, it holds at points.
+std::set<std::pair<int, int>> held_edges(const Model& model, const std::vector<FreeEdge>& edges) {
+  std::map<std::pair<int, int>, std::vector<Vec2>> pinned;  // by block and fixity
+  for (const PointFixity& point : model.point_fixities) pinned[{point.block, point.fixity}].push_back(model.reference_place(point.block, point.in_block));
+  const auto same = [&](const Vec2& a, const Vec2& b) { return (a - b).norm() <= on_outline * model.extent; };
+  const auto holds = [&](const std::vector<Vec2>& points, const Vec2& end) {
+    return std::any_of(points.begin(), points.end(), [&](const Vec2& point) { return same(point, end); });
+  };
+  std::set<std::pair<int, int>> held;
+  for (const FreeEdge& edge : edges) {
+    const auto by_edge = [&](const EdgeFixity& fixity) {
+      return fixity.block == edge.block && same(edge.from, model.reference_place(edge.block, fixity.in_block[0])) &&
+             same(edge.to, model.reference_place(edge.block, fixity.in_block[1]));
+    };
+    bool whole = std::any_of(model.edge_fixities.begin(), model.edge_fixities.end(), by_edge);
+    for (auto of = pinned.lower_bound({edge.block, 0}); !whole && of != pinned.end() && of->first.first == edge.block; ++of)
+      whole = holds(of->second, edge.from) && holds(of->second, edge.to);
+    if (whole) held.insert({edge.block, edge.edge});
+  }
+  return held;
+}
+
 }  // namespace
 
 void attach_charges(Model& model, const std::vector<FreeEdge>& edges) {
@@ -118,12 +140,7 @@ void attach_charges(Model& model, const std::vector<FreeEdge>& edges) {
   for (size_t n = 0; n + 1 < nodes.begin.size(); ++n)
     for (int k = nodes.begin[n]; k < nodes.begin[n + 1]; ++k)
       node_of[model.shapes[nodes.blocks[k]].vertex_begin + nodes.corners[k]] = int(n);
-  std::set<std::pair<int, int>> held;  // by what holds a whole edge
-  for (const EdgeFixity& fixity : model.edge_fixities)
-    for (const FreeEdge& edge : edges)
-      if (edge.block == fixity.block &&
-          (edge.from - model.reference_place(fixity.block, fixity.in_block[0])).norm() <= on_outline * model.extent)
-        held.insert({edge.block, edge.edge});
+  std::set<std::pair<int, int>> held = held_edges(model, edges);
   for (const ViscousEdge& viscous : model.viscous_edges) held.insert({viscous.block, viscous.edge});
   nodes.free.assign(nodes.position.size(), 0);
   for (const FreeEdge& edge : edges) {

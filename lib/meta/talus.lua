@@ -632,7 +632,7 @@ function talus.lab.compression(fields) end
 ---@field title? string for output
 ---@field output? talus.output|table as of a simulation
 
----Splits a disc with two flats of 7.2° between plates without friction. Returns `strength` (Pa, 2P/(πD)·(sin 2a/a − 1), a = 3.6°, of the highest load P), `load` (N/m), `diameter`, `broke` and the simulation `sim`.
+---Splits a disc with two flats of 7.2° between plates without friction. Returns `strength` (Pa, 2P/(πD)·(sin 2a/a − 1), a = 3.6°, of the highest load P), `load` (N/m), `diameter`, `broke`, `fell` (to `keep` of its peak before the way of the plate ended: else the strength may be that of the halves) and the simulation `sim`.
 ---@param fields talus.brazilian
 ---@return talus.brazilian
 function talus.lab.brazilian(fields) end

@@ -21,7 +21,7 @@ local function read(kind, options, layers, noun)
   local chord = kind ~= "traces_from_csv" and object.get(options, "chord") or 0
   local drawing = native.read_drawing(kind, file, chord)
   local scale = object.given(options, "scale") or drawing.unit
-  local wanted, kept = {}, {}
+  local wanted, kept, named = {}, {}, {}
   for _, layer in ipairs(layers or {}) do wanted[layer:lower()] = layer end
   local present, names = {}, {}
   for _, line in ipairs(drawing.lines) do
@@ -31,7 +31,9 @@ local function read(kind, options, layers, noun)
     if not layers or wanted[layer] then kept[#kept + 1] = line end
     for _, point in ipairs(line.points) do point[1], point[2] = scale*point[1], scale*point[2] end
   end
-  for _, layer in ipairs(layers or {}) do
+  for _, layer in ipairs(layers or {}) do named[#named + 1] = layer end
+  for _, entry in ipairs(kind == "traces_from_dxf" and object.given(options, "joints_by_layer") or {}) do named[#named + 1] = entry.name end
+  for _, layer in ipairs(named) do
     if not present[layer:lower()] then
       places.fail(object.place(options), ("%s: %s: expected lines on layer %q, got none%s"):format(kind, file, layer,
         native.suggestion(layer, names)))

@@ -35,7 +35,7 @@ return {
     fields = {
       name,
       { name = "at", type = "point", unit = "m", required = true, doc = "where, at the start" },
-      region(false, "the one that holds the point", "its name, or the region itself"),
+      region(false, "the one that holds the point; of a held and a free one the free one", "its name, or the region itself"),
       { name = "force", type = "histories", unit = "N", required = true, live = true,
         doc = "force, global directions" },
     },
@@ -76,7 +76,7 @@ return {
     doc = "A material point whose motion and stress are recorded. `{x, y}` alone will do.",
     fields = {
       { name = "at", type = "point", unit = "m", required = true, doc = "where, at the start" },
-      region(false, "the one that holds the point", "its name, or the region itself"),
+      region(false, "the one that holds the point; of a held and a free one the free one", "its name, or the region itself"),
     },
   },
 }

@@ -34,7 +34,7 @@ return {
   {
     kind = "brazilian", call = "talus.lab.brazilian",
     doc = "Splits a disc with two flats of 7.2° between plates without friction. Returns `strength` (Pa, 2P/(πD)·(sin 2a/a − 1), a = 3.6°,"
-      .. " of the highest load P), `load` (N/m), `diameter`, `broke` and the simulation `sim`.",
+      .. " of the highest load P), `load` (N/m), `diameter`, `broke`, `fell` (to `keep` of its peak before the way of the plate ended: else the strength may be that of the halves) and the simulation `sim`.",
     fields = {
       material, joint, size,
       { name = "diameter", type = "number", above = 0, unit = "m", default_doc = "20 sizes", doc = "of the disc" },

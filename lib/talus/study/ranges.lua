@@ -90,7 +90,7 @@ function ranges.points(sample)
       local top = whole[range.name] and high + 1 or high  -- each whole number has the part of the range up to the next
       local value = log[range.name] and low*(top/low)^share or low + (top - low)*share
       if whole[range.name] then value = math.min(high, math.floor(value)) end
-      points[i][range.name] = tonumber(("%.6g"):format(value))
+      points[i][range.name] = whole[range.name] and value or tonumber(("%.6g"):format(value))
     end
   end
   return points
