@@ -8,12 +8,11 @@
 namespace talus {
 
 std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, const Vector& d) {
-  std::vector<BlockState> moved;
-  moved.reserve(model.blocks.size());
-  for (size_t b = 0; b < model.blocks.size(); ++b) {
-    BlockState& state = moved.emplace_back(model.blocks[b]);
+  std::vector<BlockState> moved = model.blocks;
+  for (size_t b = 0; b < moved.size(); ++b) {
     if (model.sleeps(int(b))) continue;
     const BlockShape& shape = model.shapes[b];
+    BlockState& state = moved[b];
     const auto v0 = state.velocity;
     const int size = shape.rate_count();
     std::array<double, max_dofs> move;
