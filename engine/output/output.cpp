@@ -154,13 +154,20 @@ std::uint64_t RunOutput::layout() {
   return hasher.value();
 }
 
+namespace {
+
+// A step that ends at 0.3 may find itself at 0.29999999999999999: s, part of the interval that is as good as its end.
+double slack(double every) { return 1e-9 * every; }
+double next_output(double every, double time) { return every > 0 ? every * (std::floor((time + slack(every)) / every) + 1) : 0; }
+
+}  // namespace
+
 void RunOutput::rewind(const Simulation& simulation, const std::string& from) {
   if (!parts_) return;
   parts_->history->rewind(parts_->row_step);
   for (std::optional<PvdSeries>* series : {&parts_->blocks, &parts_->joints, &parts_->cracks})
     if (*series) (*series)->rewind(parts_->frames);
-  const double every = simulation.model.scene.output.every;  // of now: a state may have been saved with another
-  parts_->next = every > 0 ? every * (std::floor((simulation.model.time + 1e-9 * every) / every) + 1) : 0;
+  parts_->next = next_output(simulation.model.scene.output.every, simulation.model.time);  // a state may have been saved with another interval
   parts_->restores.push_back({from, simulation.totals.steps, simulation.model.time});
 }
 
@@ -174,11 +181,9 @@ void RunOutput::after_step(Simulation& simulation) {
   const bool first = parts_->frame_step < 0;
   if (!first) parts_->residual = std::max(parts_->residual, simulation.last.residual);
   if (scene.output.picture) parts_->curves.after_step(simulation);
-  // A step that ends at 0.3 may find itself at 0.29999999999999999.
-  const double slack = 1e-9 * every;
-  if (first || (every > 0 && time >= parts_->next - slack)) {
+  if (first || (every > 0 && time >= parts_->next - slack(every))) {
     // First, because the script may save the state when the frame is written.
-    if (every > 0) parts_->next = every * (std::floor((time + slack) / every) + 1);
+    parts_->next = next_output(every, time);
     parts_->write_frame(simulation);
   } else if (scene.time.mode == Mode::static_) {
     parts_->add_row(simulation, user_arrays(simulation.model));
