@@ -254,11 +254,12 @@ void bond_corners(const Model& model, std::unordered_set<std::int64_t>& bonded) 
 class OnTheWay {
  public:
   OnTheWay(Model& model, const std::vector<BlockState>& ends, double dt) : model_(model) {
-    for (size_t b = 0; b < ends.size(); ++b) {
+    if (ends.empty()) return;
+    for (const int b : model.awake_blocks()) {
       BlockState& from = model.blocks[b];
       const BlockState& to = ends[b];
       const double length = model.shapes[b].length;
-      kept_.push_back(from.velocity);
+      kept_.emplace_back(b, from.velocity);
       const Vec2 shift = (to.shift - from.shift) / dt;
       const Vec3 strain = (to.strain - from.strain) * length / dt;
       const double turn = (to.angle - from.angle) * length / dt;
@@ -270,12 +271,12 @@ class OnTheWay {
   OnTheWay(const OnTheWay&) = delete;
   OnTheWay& operator=(const OnTheWay&) = delete;
   ~OnTheWay() {
-    for (size_t b = 0; b < kept_.size(); ++b) model_.blocks[b].velocity = kept_[b];
+    for (const auto& [block, velocity] : kept_) model_.blocks[block].velocity = velocity;
   }
 
  private:
   Model& model_;
-  std::vector<std::array<double, max_dofs>> kept_;
+  std::vector<std::pair<int, std::array<double, max_dofs>>> kept_;
 };
 
 }  // namespace
@@ -364,8 +365,7 @@ bool ContactSearch::unmoved(const Model& model, double dt) {
     std::copy(now.begin(), now.end(), before);
     count += now.size();
   };
-  for (size_t k = 0; k < model.blocks.size(); ++k) {
-    if (model.sleeps(int(k))) continue;
+  for (const int k : model.awake_blocks()) {
     const BlockState& b = model.blocks[k];
     see(std::array{b.shift.x(), b.shift.y(), b.angle, b.strain[0], b.strain[1], b.strain[2]});
     see(std::span(b.velocity).first(size_t(model.shapes[k].rate_count())));

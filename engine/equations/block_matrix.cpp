@@ -1,17 +1,25 @@
 #include "equations/block_matrix.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace talus {
 
 bool BlockMatrix::set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs) {
+  std::vector<int> all(sizes.size());
+  std::iota(all.begin(), all.end(), 0);
+  return set_pattern(sizes, std::move(pairs), std::move(all));
+}
+
+bool BlockMatrix::set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs, std::vector<int> with_entries) {
   for (auto& [a, b] : pairs)
     if (a < b) std::swap(a, b);
   std::erase_if(pairs, [&](const auto& p) { return p.first == p.second || sizes[p.first] == 0 || sizes[p.second] == 0; });
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  if (sizes == sizes_ && pairs == pairs_) return false;
+  if (sizes == sizes_ && pairs == pairs_ && with_entries == with_entries_) return false;
   sizes_ = sizes;
+  with_entries_ = std::move(with_entries);
   pairs_ = std::move(pairs);
 
   const int blocks = int(sizes_.size());
@@ -22,27 +30,29 @@ bool BlockMatrix::set_pattern(const std::vector<int>& sizes, std::vector<std::pa
   for (int b = 0; b < blocks; ++b) pair_begin_[b + 1] += pair_begin_[b];
 
   pair_offset_.resize(pairs_.size());
-  above_.resize(blocks);
+  above_.assign(blocks, 0);
   size_t count = 0;
-  for (int b = 0; b < blocks; ++b) {
-    above_[b] = 0;
+  for (const int b : with_entries_) {
     for (int p = pair_begin_[b]; p < pair_begin_[b + 1]; ++p) {
       pair_offset_[p] = above_[b];
       above_[b] += sizes_[pairs_[p].second];
     }
     count += size_t(sizes_[b]) * size_t(above_[b]) + size_t(sizes_[b]) * size_t(sizes_[b] + 1) / 2;
   }
-  column_begin_.resize(size_t(begin_[blocks]) + 1);
+  column_begin_.clear();
+  column_begin_.reserve(size_t(begin_[blocks]) + 1);
   row_index_.resize(count);
   int* row = row_index_.data();
-  for (int b = 0; b < blocks; ++b)
+  for (const int b : with_entries_) {
+    column_begin_.resize(size_t(begin_[b]), int(row - row_index_.data()));  // columns without entries
     for (int j = 0; j < sizes_[b]; ++j) {
-      column_begin_[begin_[b] + j] = int(row - row_index_.data());
+      column_begin_.push_back(int(row - row_index_.data()));
       for (int p = pair_begin_[b]; p < pair_begin_[b + 1]; ++p)
         for (int i = 0; i < sizes_[pairs_[p].second]; ++i) *row++ = begin_[pairs_[p].second] + i;
       for (int i = 0; i <= j; ++i) *row++ = begin_[b] + i;
     }
-  column_begin_.back() = int(count);
+  }
+  column_begin_.resize(size_t(begin_[blocks]) + 1, int(count));
   values.assign(count, 0.0);
   return true;
 }
@@ -86,17 +96,33 @@ void BlockMatrix::add_outer(const Slot& slot, double factor, const double* u, co
 }
 
 void BlockMatrix::multiply(const Vector& x, Vector& y) const {
-  for (int j = 0; j < dimension(); ++j) {
-    const int diagonal = column_begin_[j + 1] - 1;
-    const double xj = x[j];
-    double sum = values[diagonal] * xj;
-    for (int k = column_begin_[j]; k < diagonal; ++k) {
-      const int i = row_index_[k];
-      y[i] += values[k] * xj;
-      sum += values[k] * x[i];
+  for (const int b : with_entries_)
+    for (int j = begin_[b]; j < begin_[b + 1]; ++j) {
+      const int diagonal = column_begin_[j + 1] - 1;
+      const double xj = x[j];
+      double sum = values[diagonal] * xj;
+      for (int k = column_begin_[j]; k < diagonal; ++k) {
+        const int i = row_index_[k];
+        y[i] += values[k] * xj;
+        sum += values[k] * x[i];
+      }
+      y[j] += sum;
     }
-    y[j] += sum;
-  }
+}
+
+double BlockMatrix::form(const Vector& x, const Vector& y) const {
+  double sum = 0;
+  for (const int b : with_entries_)
+    for (int j = begin_[b]; j < begin_[b + 1]; ++j) {
+      const int diagonal = column_begin_[j + 1] - 1;
+      double kx = 0, ky = 0;
+      for (int k = column_begin_[j]; k < diagonal; ++k) {
+        kx += values[k] * x[row_index_[k]];
+        ky += values[k] * y[row_index_[k]];
+      }
+      sum += x[j] * ky + y[j] * kx + values[diagonal] * x[j] * y[j];
+    }
+  return sum;
 }
 
 int BlockMatrix::block_of_unknown(int unknown) const {

@@ -17,6 +17,8 @@ class BlockMatrix {
   // sizes: unknowns of each block (0 allowed). pairs: blocks that may couple, in any order, repeats allowed.
   // Returns whether the pattern changed; slots stay valid while it does not.
   bool set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs);
+  // The same where only the blocks `with_entries` (rising) have any; the unknowns of all are numbered.
+  bool set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs, std::vector<int> with_entries);
   // Becomes the part of `whole` that `blocks` (rising) make up, which couple to no others. place: number of each of them in
   // the part. Returns whether the pattern changed.
   bool take_part(const BlockMatrix& whole, const std::vector<int>& blocks, const std::vector<int>& place);
@@ -43,6 +45,8 @@ class BlockMatrix {
   void clear() { std::fill(values.begin(), values.end(), 0.0); }
   // y += K x
   void multiply(const Vector& x, Vector& y) const;
+  // x·K y; of blocks without entries nothing is read.
+  double form(const Vector& x, const Vector& y) const;
 
   // The submatrix on the diagonal, both triangles; `m` has at least the block's size.
   template <typename Derived>
@@ -90,6 +94,7 @@ class BlockMatrix {
   }
 
   std::vector<int> sizes_, begin_;           // unknowns, first unknown
+  std::vector<int> with_entries_;            // blocks
   std::vector<std::pair<int, int>> pairs_;   // sorted (column, row)
   std::vector<int> pair_begin_;              // first pair of a column block
   std::vector<int> pair_offset_, above_;     // rows above a pair's submatrix in the column; above a block's own

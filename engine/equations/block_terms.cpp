@@ -128,15 +128,15 @@ void add_block_terms(const Model& model, const Poses& poses, const Scheme& schem
   for (size_t r = 0; r < model.scene.regions.size(); ++r)
     own_force.push_back(body_force(model, int(r), 0, model.time + scheme.load_time));
 
-  for (size_t b = 0; b < model.shapes.size(); ++b) {
+  for (const int b : model.awake_blocks()) {
     const BlockShape& shape = model.shapes[b];
-    if (shape.dofs == 0 || model.sleeps(int(b))) continue;
+    if (shape.dofs == 0) continue;
     const Pose& pose = poses.blocks[b];
     with_size(shape.second_order(), [&](auto n) {
-      const MatrixOf<n> mass = mass_matrix_of<n>(model, int(b));
+      const MatrixOf<n> mass = mass_matrix_of<n>(model, b);
       MatrixOf<n> k = scheme.inertia * mass;
       ColumnOf<n> f = ColumnOf<n>::Zero();
-      f.template head<2>() = model.mass(int(b)) * model.scene.gravity + shape.area * own_force[shape.region];
+      f.template head<2>() = model.mass(b) * model.scene.gravity + shape.area * own_force[shape.region];
       if (shape.dofs > rigid_dofs) {
         const Mat3& d = elasticity_of[shape.material];
         const double per_length = 1 / shape.length;
@@ -154,13 +154,13 @@ void add_block_terms(const Model& model, const Poses& poses, const Scheme& schem
           const Vec6 bend = Eigen::Map<const Vec6>(pose.bend.now.data()) +
                             scheme.bond_v * Eigen::Map<const Vec6>(pose.bend.rate.data());
           f.template tail<6>() = spin * spin * shape.length * (mass.row(3) + mass.row(4)).template tail<6>().transpose() -
-                                 initial_bend_force(model, int(b)) - bending * bend;
+                                 initial_bend_force(model, b) - bending * bend;
         }
       }
       for (int i = 0; i < shape.dofs; ++i)  // mass couples all; a rigid block keeps its first three
         system.force[shape.dof_begin + i] += f[i];
       system.force_scale[b] += f.norm();
-      system.matrix.add(system.matrix.slot(int(b), int(b)), false, k);
+      system.matrix.add(system.matrix.slot(b, b), false, k);
     });
   }
 }

@@ -62,10 +62,7 @@ void each_gas_load(const Model& model, const Poses& poses, const LoadVisitor& vi
 }
 
 void move_held_blocks(Model& model, double dt) {
-  for (size_t b = 0; b < model.shapes.size(); ++b) {
-    if (model.shapes[b].dofs > 0) continue;
-    model.blocks[b].velocity = held_velocity(model, int(b), dt);
-  }
+  for (const int b : model.held_blocks) model.blocks[b].velocity = held_velocity(model, b, dt);
 }
 
 std::array<double, max_dofs> held_velocity(const Model& model, int block, double dt) {
@@ -77,11 +74,11 @@ std::array<double, max_dofs> held_velocity(const Model& model, int block, double
 
 void place_held_blocks(Model& model) {
   std::unordered_map<int, Vec2> moved;
-  for (size_t b = 0; b < model.shapes.size(); ++b) {
-    if (model.shapes[b].dofs > 0 || model.held_by[b] < 0) continue;
+  for (const int b : model.held_blocks) {
+    if (model.held_by[b] < 0) continue;
     const Vec2 to = model.scene.fixities[model.held_by[b]].moved(model.time);
     if (to == model.blocks[b].shift) continue;
-    moved[int(b)] = to - model.blocks[b].shift;
+    moved[b] = to - model.blocks[b].shift;
     model.blocks[b].shift = to;
     model.blocks[b].centroid = model.shapes[b].reference_centroid + to;
   }

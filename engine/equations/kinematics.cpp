@@ -40,9 +40,8 @@ Pose flown(const BlockShape& shape, const BlockState& state, double seconds) {
 void Poses::predict(const Model& model, const Scheme& scheme) {
   blocks.resize(model.blocks.size());
   vertex.resize(model.reference_vertex.size());
-  for (size_t b = 0; b < blocks.size(); ++b) {
-    if (model.sleeps(int(b))) continue;
-    blocks[b] = flown(model, int(b), scheme.mid);
+  for (const int b : model.awake_blocks()) {
+    blocks[b] = flown(model, b, scheme.mid);
     const BlockShape& shape = model.shapes[b];
     for (int i = shape.vertex_begin; i < shape.vertex_end; ++i)
       vertex[i] = shape.second_order() ? blocks[b].polygon_vertex(model.reference_vertex[i], model.corner_bend[i])

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <ranges>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -309,6 +310,7 @@ class Model {
   Nodes nodes;
   std::vector<int> fragment;  // per block: which connected set of intact joints it belongs to; empty where none can break
   std::vector<int> held_by;  // per block: index of the fixity that holds it wholly, or -1
+  std::vector<int> held_blocks;  // those without unknowns, rising
   std::unordered_map<std::int64_t, int> pair_property;  // unbonded interfaces: (a, b) with a < b -> property
   int dofs = 0;
   std::vector<std::string> notes;  // what building it has to tell the user
@@ -318,6 +320,9 @@ class Model {
   const Material& material(int block) const { return scene.materials[shapes[block].material]; }
 
   bool sleeps(int block) const { return !asleep.empty() && asleep[block] != 0; }
+  auto awake_blocks() const {  // rising
+    return std::views::iota(0, int(shapes.size())) | std::views::filter([this](int block) { return !sleeps(block); });
+  }
   bool sleeps(const Contact& c) const { return sleeps(c.i) || sleeps(c.j); }
   // To be called by whoever changes materials, joint properties, loads, supports or velocities between steps: all wake.
   void changed();

@@ -60,9 +60,11 @@ void default_contact(Scene& scene) {
 
 void number_unknowns(Model& model) {
   model.dofs = 0;
-  for (BlockShape& shape : model.shapes) {
+  for (size_t b = 0; b < model.shapes.size(); ++b) {
+    BlockShape& shape = model.shapes[b];
     shape.dof_begin = model.dofs;
     model.dofs += shape.dofs;
+    if (shape.dofs == 0) model.held_blocks.push_back(int(b));
   }
 }
 

@@ -18,9 +18,7 @@ class Attempt {
   Attempt(Model& model, const Plan& plan, Ledger& ledger, ContactSearch& search, std::vector<Contact>& contacts, Fracture* fracture)
       : model_(model), ledger_(ledger), before_(ledger), search_(search), contacts_(contacts), fracture_(fracture) {
     if (plan.contacts) contacts_.assign(model.contacts.begin() + model.sleeping_contacts, model.contacts.end());
-    if (!plan.held_blocks) return;
-    for (size_t b = 0; b < model.shapes.size(); ++b)
-      if (model.shapes[b].dofs == 0) held_.emplace_back(b, model.blocks[b].velocity);
+    for (const int b : model.held_blocks) held_.emplace_back(b, model.blocks[b].velocity);
   }
   ~Attempt() {
     if (kept_) return;
@@ -56,7 +54,7 @@ class Attempt {
   Fracture* fracture_;
   std::vector<BlockState> blocks_;  // and vertices: before X was moved as the step changed, or empty
   std::vector<Vec2> vertex_;
-  std::vector<std::pair<size_t, std::array<double, max_dofs>>> held_;
+  std::vector<std::pair<int, std::array<double, max_dofs>>> held_;
   bool kept_ = false;
 };
 

@@ -13,7 +13,7 @@ std::vector<double> kept_velocities(const Model& model, const std::vector<BlockS
   if (parameter == 1 && !numerics.damping) return {};
   std::vector<double> kept(moved.size(), parameter);
   if (!numerics.damping) return kept;
-  for (size_t b = 0; b < moved.size(); ++b) {
+  for (const int b : model.awake_blocks()) {
     const auto& v = moved[b].velocity;
     const bool stands = std::all_of(v.begin(), v.end(), [](double rate) { return rate == 0; });
     if (model.shapes[b].dofs > 0 && !stands) kept[b] *= numerics.damping(std::hypot(v[0], v[1]), dt);
@@ -24,9 +24,10 @@ std::vector<double> kept_velocities(const Model& model, const std::vector<BlockS
 // The energy is that at X, not at y: what the way between them holds changes with the velocity, and is read off the state.
 double damp(Model& model, const std::vector<double>& kept) {
   double taken = 0;
-  for (size_t b = 0; b < kept.size(); ++b) {
+  if (kept.empty()) return 0;
+  for (const int b : model.awake_blocks()) {
     if (model.shapes[b].dofs == 0) continue;
-    taken += (1 - kept[b] * kept[b]) * kinetic_energy(model, int(b), 0);
+    taken += (1 - kept[b] * kept[b]) * kinetic_energy(model, b, 0);
     for (double& rate : model.blocks[b].velocity) rate *= kept[b];
   }
   return taken;

@@ -39,8 +39,7 @@ double strain_of_blocks(const Model& model, bool asleep, double ahead) {
 
 double kinetic_energy(const Model& model, double ahead) {
   double sum = 0;
-  for (int b = 0; b < int(model.blocks.size()); ++b)
-    if (!model.sleeps(b)) sum += kinetic_energy(model, b, ahead);
+  for (const int b : model.awake_blocks()) sum += kinetic_energy(model, b, ahead);
   return sum;
 }
 
@@ -93,10 +92,10 @@ Asleep stored_asleep(const Model& model) {
 
 double gravity_energy_ahead(const Model& model) {
   double sum = 0;
-  for (size_t b = 0; b < model.blocks.size(); ++b)
-    if (!model.sleeps(int(b)) && model.shapes[b].dofs > 0) {
+  for (const int b : model.awake_blocks())
+    if (model.shapes[b].dofs > 0) {
       const auto& v = model.blocks[b].velocity;
-      sum -= model.blocks[b].weighed_ahead * model.mass(int(b)) * model.scene.gravity.dot(Vec2(v[0], v[1]));
+      sum -= model.blocks[b].weighed_ahead * model.mass(b) * model.scene.gravity.dot(Vec2(v[0], v[1]));
     }
   return sum;
 }

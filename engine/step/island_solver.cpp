@@ -41,7 +41,7 @@ IslandResult IslandSolver::solve(const Model& model, const System& system, const
   start.swap(d);
   if (reached_.size() != model.contacts.size()) reached_.assign(model.contacts.size(), {-1, 0});
   d.setZero(system.force.size());
-  const int moving = int(std::count_if(model.shapes.begin(), model.shapes.end(), [](const BlockShape& shape) { return shape.dofs > 0; }));
+  const int moving = int(model.shapes.size() - model.held_blocks.size());
   const Step step{model, system, contacts, settings, dt, start, moving};
   converged_.assign(size_t(islands_.count()), 1);
   missed_.clear();

@@ -22,7 +22,7 @@ void Islands::find(const Model& model, const ContactTerms& contacts, bool togeth
   const int count = join(model, contacts);
   single_.assign(size_t(count), 1);
   std::vector<std::pair<int, int>> members, rows;
-  for (int b = 0; b < int(of_.size()); ++b)
+  for (const int b : model.awake_blocks())
     if (of_[b] >= 0) members.push_back({of_[b], b});
   for (const Joint& joint : model.joints)
     if (ties(joint))
@@ -54,8 +54,8 @@ int Islands::join(const Model& model, const ContactTerms& contacts) {
     if (row.near) tie(row.i, row.j);
   of_.assign(model.shapes.size(), -1);
   int count = 0;
-  for (int b = 0; b < int(of_.size()); ++b)
-    if (model.shapes[b].dofs > 0 && !model.sleeps(b)) of_[b] = sets.root(b) == b ? count++ : of_[sets.root(b)];
+  for (const int b : model.awake_blocks())
+    if (model.shapes[b].dofs > 0) of_[b] = sets.root(b) == b ? count++ : of_[sets.root(b)];
   return count;
 }
 
@@ -63,8 +63,7 @@ void Islands::take_all(const Model& model, const ContactTerms& contacts) {
   of_.assign(model.shapes.size(), -1);
   single_.assign(1, 0);
   std::vector<std::pair<int, int>> members, rows;
-  for (int b = 0; b < int(of_.size()); ++b) {
-    if (model.sleeps(b)) continue;
+  for (const int b : model.awake_blocks()) {
     members.push_back({0, b});
     if (model.shapes[b].dofs > 0) of_[b] = 0;
   }

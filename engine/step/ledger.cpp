@@ -31,11 +31,11 @@ ColumnOf<n> solution_of(const Model& model, int block, const Vector& d) {
 // has beside inertia and dashpots. Those take ΔX·C ΔX/Δt.
 void book_linear(const BookedStep& s, Ledger& ledger) {
   const Model& model = s.model;
-  Vector step = Vector::Zero(model.dofs), w = step, kw = step;
+  Vector step(model.dofs), w(model.dofs);
   double inertial = 0;
-  for (int b = 0; b < int(model.blocks.size()); ++b) {
+  for (const int b : model.awake_blocks()) {
     const BlockShape& shape = model.shapes[b];
-    if (shape.dofs == 0 || model.sleeps(b)) continue;
+    if (shape.dofs == 0) continue;
     with_size(shape.second_order(), [&](auto n) {
       const ColumnOf<n> v0 = velocity_of<n>(model, b), d = solution_of<n>(model, b, s.d);
       const ColumnOf<n> own = s.scheme.step_v * v0 + s.scheme.move_d * d;
@@ -45,9 +45,8 @@ void book_linear(const BookedStep& s, Ledger& ledger) {
       inertial += own.dot(mass_matrix_of<n>(model, b) * own_w);
     });
   }
-  s.system.matrix.multiply(w, kw);
   const double dashpots = s.scheme.velocity_d / 2 * viscous_form(model, s.poses, step, w);
-  ledger.numerical_flow += (step.dot(kw) - s.scheme.inertia * inertial - dashpots) / s.scheme.bond_d;
+  ledger.numerical_flow += (s.system.matrix.form(step, w) - s.scheme.inertia * inertial - dashpots) / s.scheme.bond_d;
   ledger.viscous_work += viscous_form(model, s.poses, step, step) / s.scheme.dt;
 }
 
@@ -117,9 +116,9 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
       ledger.gas_work += force_on<n>(s.poses.blocks[block], point, force).dot(step);
     });
   });
-  for (int b = 0; b < int(model.blocks.size()); ++b) {
+  for (const int b : model.awake_blocks()) {
     const BlockShape& shape = model.shapes[b];
-    if (shape.dofs == 0 || model.sleeps(b)) continue;
+    if (shape.dofs == 0) continue;
     // Their resultant acts at the centroid: on the translation alone, of any order.
     const DofColumn step = s.scheme.step_v * velocity_of<first_order_dofs>(model, b) + s.scheme.move_d * solution_of<first_order_dofs>(model, b, s.d);
     ledger.gravity_work += model.mass(b) * model.scene.gravity.dot(step.head<2>());
@@ -259,47 +258,45 @@ namespace {
 Vec2 velocity_of(const BlockState& state) { return {state.velocity[0], state.velocity[1]}; }
 
 // s, by which a block is weighed nearer to X than y.
-double late(const Model& model, const Scheme& scheme, size_t b) {
-  return model.sleeps(int(b)) || model.shapes[b].dofs == 0 ? 0 : scheme.bond_ahead - model.blocks[b].weighed_ahead;
+double late(const Model& model, const Scheme& scheme, int b) {
+  return model.shapes[b].dofs == 0 ? 0 : scheme.bond_ahead - model.blocks[b].weighed_ahead;
 }
 
 }  // namespace
 
 bool weighed_late(const Model& model, const Scheme& scheme) {
-  for (size_t b = 0; b < model.blocks.size(); ++b)
-    if (late(model, scheme, b) != 0) return true;
-  return false;
+  return std::ranges::any_of(model.awake_blocks(), [&](int b) { return late(model, scheme, b) != 0; });
 }
 
 double least_loss(const Model& model, const std::vector<BlockState>& before, const Scheme& scheme, double dissipated) {
   double lost = dissipated;
-  for (size_t b = 0; b < before.size(); ++b) {
-    if (model.sleeps(int(b)) || model.shapes[b].dofs == 0) continue;
+  for (const int b : model.awake_blocks()) {
+    if (model.shapes[b].dofs == 0) continue;
     const Vec2 change = velocity_of(model.blocks[b]) - velocity_of(before[b]);
-    lost += model.mass(int(b)) * (scheme.bond_ahead / scheme.dt * change.squaredNorm() - late(model, scheme, b) * model.scene.gravity.dot(change));
+    lost += model.mass(b) * (scheme.bond_ahead / scheme.dt * change.squaredNorm() - late(model, scheme, b) * model.scene.gravity.dot(change));
   }
   return lost;
 }
 
 void weigh_nearer(Model& model, double gained) {
-  const auto lift = [&](size_t b) {  // J/m, of what lies higher at y than at X
-    if (model.sleeps(int(b)) || model.shapes[b].dofs == 0) return 0.0;
-    return std::max(0.0, -model.blocks[b].weighed_ahead * model.mass(int(b)) * model.scene.gravity.dot(velocity_of(model.blocks[b])));
+  const auto lift = [&](int b) {  // J/m, of what lies higher at y than at X
+    if (model.shapes[b].dofs == 0) return 0.0;
+    return std::max(0.0, -model.blocks[b].weighed_ahead * model.mass(b) * model.scene.gravity.dot(velocity_of(model.blocks[b])));
   };
   double most = 0;
-  for (size_t b = 0; b < model.blocks.size(); ++b) most += lift(b);
+  for (const int b : model.awake_blocks()) most += lift(b);
   if (most == 0) return;
   const double part = std::min(1.0, gained / most);
-  for (size_t b = 0; b < model.blocks.size(); ++b)
+  for (const int b : model.awake_blocks())
     if (lift(b) > 0) model.blocks[b].weighed_ahead *= 1 - part;
 }
 
 double weigh(Model& model, const Scheme& scheme, double lost) {
-  const auto lift = [&](size_t b) { return -late(model, scheme, b) * model.mass(int(b)) * model.scene.gravity.dot(velocity_of(model.blocks[b])); };
+  const auto lift = [&](int b) { return -late(model, scheme, b) * model.mass(b) * model.scene.gravity.dot(velocity_of(model.blocks[b])); };
   double lifted = 0, lowered = 0;
-  for (size_t b = 0; b < model.blocks.size(); ++b) (lift(b) > 0 ? lifted : lowered) += std::abs(lift(b));
+  for (const int b : model.awake_blocks()) (lift(b) > 0 ? lifted : lowered) += std::abs(lift(b));
   const double pays = std::max(lost + lowered, 0.0), part = lifted > pays ? pays / lifted : 1;
-  for (size_t b = 0; b < model.blocks.size(); ++b) {
+  for (const int b : model.awake_blocks()) {
     double& ahead = model.blocks[b].weighed_ahead;
     const double way = late(model, scheme, b);
     if (way == 0) continue;

@@ -74,8 +74,7 @@ class Hindsight {
   }
   // Whether something was hit so hard that the search could not foresee where to.
   bool thrown() const {
-    for (int b = 0; b < int(moved_.size()); ++b) {
-      if (model_.sleeps(b)) continue;
+    for (const int b : model_.awake_blocks()) {
       const BlockState &from = model_.blocks[b], &to = moved_[b];
       const BlockShape& shape = model_.shapes[b];
       const Vec2 off = to.shift - from.shift - dt_ * Vec2(from.velocity[0], from.velocity[1]);
@@ -265,7 +264,7 @@ class Hindsight {
 bool overlooked(const Model& model, const ContactSearch& search, const ContactTerms& contacts, const Vector& d,
                 const std::vector<BlockState>& moved, double dt, double displacement) {
   double least = std::numeric_limits<double>::infinity();
-  for (const BlockShape& shape : model.shapes) least = std::min(least, shape.length);
+  for (const int b : model.awake_blocks()) least = std::min(least, model.shapes[b].length);
   if (2 * displacement <= passing_tolerance * least) return false;
   Hindsight hindsight(model, search, moved, dt);
   return hindsight.any() && (hindsight.presses_apart(contacts, d) || hindsight.overlaps());

@@ -9,10 +9,10 @@ void keep_peaks(Model& model) {
     probe.peak_speed = speed;
     probe.peak_at = model.time;
   }
-  for (size_t b = 0; b < model.blocks.size(); ++b) {
-    if (model.sleeps(int(b)) || model.shapes[b].dofs == 0) continue;
+  for (const int b : model.awake_blocks()) {
+    if (model.shapes[b].dofs == 0) continue;
     const double rise = model.blocks[b].shift.y();
-    if (rise > model.highest.rise) model.highest = {int(b), rise, model.time};
+    if (rise > model.highest.rise) model.highest = {b, rise, model.time};
   }
 }
 

@@ -52,13 +52,16 @@ void Sleep::wake_loaded(const Model& model, const Scheme& scheme, std::vector<ch
   const Scene& scene = model.scene;
   const size_t edges = scene.point_loads.size(), regions = edges + scene.edge_loads.size(),
                supports = regions + scene.regions.size();
+  const auto other = [&](size_t input) { return now[2 * input] != inputs_[2 * input] || now[2 * input + 1] != inputs_[2 * input + 1]; };
   const auto touch = [&](size_t input, int block) {
-    if (now[2 * input] != inputs_[2 * input] || now[2 * input + 1] != inputs_[2 * input + 1])
-      woken[model.asleep[block]] = 1;
+    if (other(input)) woken[model.asleep[block]] = 1;
   };
   for (const PointForce& force : model.point_forces) touch(size_t(force.load), force.block);
   for (const EdgeForce& force : model.edge_forces) touch(edges + size_t(force.load), force.block);
-  for (const int b : sleepers_) touch(regions + size_t(model.shapes[b].region), b);
+  bool any_region = false;
+  for (size_t input = regions; input < supports; ++input) any_region = any_region || other(input);
+  if (any_region)
+    for (const int b : sleepers_) touch(regions + size_t(model.shapes[b].region), b);
   for (const PointFixity& point : model.point_fixities) touch(supports + size_t(point.fixity), point.block);
   for (const EdgeFixity& edge : model.edge_fixities) touch(supports + size_t(edge.fixity), edge.block);
   // Another pressure each step, and another volume when the step is over.
@@ -67,8 +70,7 @@ void Sleep::wake_loaded(const Model& model, const Scheme& scheme, std::vector<ch
 }
 
 void Sleep::wake_near(const Model& model, double dt, std::vector<char>& woken) {
-  for (int b = 0; b < int(model.shapes.size()); ++b) {
-    if (model.sleeps(b)) continue;
+  for (const int b : model.awake_blocks()) {
     const bool held = model.shapes[b].dofs == 0;
     const auto velocity = held ? held_velocity(model, b, dt) : model.blocks[b].velocity;
     if (held && stands_still(velocity)) continue;

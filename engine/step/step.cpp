@@ -31,6 +31,7 @@ constexpr double most_solve_effort = 24;  // factors, among cracks: three times 
 
 Stepper::Stepper(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledger)
     : model_(model), plan_(plan), totals_(totals), ledger_(ledger), step_size_(model, plan.contacts) {
+  for (const BlockShape& shape : model.shapes) block_sizes_.push_back(shape.dofs);
   if (plan.fracture) {
     fracture_ = std::make_unique<Fracture>(model);
     step_size_.among_cracks(fracture_->least_transit());
@@ -187,7 +188,7 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     report.iterations = course.result.iterations;
     report.residual = course.result.residual;
     if (!course.result.converged) return course;
-    course.moved = moved_blocks(model_, scheme, course.d);
+    course.moved = states_after(scheme, course.d);
     keep_rest(course.moved);
     report.displacement = course.far = largest_displacement(model_, course.moved);
     if (step_size_.heeds_turns()) course.far = std::max(course.far, step_size_.as_far_as(largest_turn_of_pressed(model_, course.moved)));
@@ -226,6 +227,7 @@ void Stepper::restored() {
 void Stepper::rewound() {
   weighed_late_ = true;
   judged_astray_ = half_done_ = false;
+  spare_of_ = -1;
   search_.forget(model_);
   sleep_.restored();
   if (fracture_) {
@@ -259,9 +261,9 @@ void Stepper::assemble(const Scheme& scheme, bool stick) {
   if (plan_.contacts) contacts_.linearise(model_, poses_, scheme, stick, nearness_);
   for (const ContactRows& row : contacts_.rows())
     if (row.near) pairs.push_back({row.i, row.j});
-  std::vector<int> sizes;
-  for (const BlockShape& shape : model_.shapes) sizes.push_back(shape.dofs);
-  if (system_.matrix.set_pattern(sizes, std::move(pairs)) && plan_.bonds) joints_.find_slots(model_, system_.matrix);
+  std::vector<int> with_entries;
+  std::ranges::copy(model_.awake_blocks(), std::back_inserter(with_entries));
+  if (system_.matrix.set_pattern(block_sizes_, std::move(pairs), std::move(with_entries)) && plan_.bonds) joints_.find_slots(model_, system_.matrix);
   system_.clear(model_);
   add_block_terms(model_, poses_, scheme, system_);
   if (!hold_.empty()) add_hold(model_, hold_, hold_lead_, system_);
@@ -315,6 +317,14 @@ bool Stepper::turns_gain(const Scheme& scheme, const Course& course) {
   return work > most_turning * ledger_.scale() && work > most_turning * energies().stored();
 }
 
+// Where the step leads, in memory of the last one, unless others sleep since.
+std::vector<BlockState> Stepper::states_after(const Scheme& scheme, const Vector& d) {
+  std::vector<BlockState> moved = std::move(spare_);
+  if (moved.size() != model_.blocks.size() || spare_of_ != model_.sleep_changes) moved = model_.blocks;
+  move_awake(model_, scheme, d, moved);
+  return moved;
+}
+
 // The blocks of islands in which a contact presses that was not solved for get more of their contacts.
 void Stepper::widen() {
   nearness_.resize(model_.shapes.size(), 1);
@@ -324,8 +334,8 @@ void Stepper::widen() {
 
 // What rests stays where it is, and stands still.
 void Stepper::keep_rest(std::vector<BlockState>& moved) {
-  for (size_t b = 0; b < moved.size(); ++b)
-    if (!model_.sleeps(int(b)) && islands_.rest(int(b)) != Rest::moves) {
+  for (const int b : model_.awake_blocks())
+    if (islands_.rest(b) != Rest::moves) {
       moved[b] = model_.blocks[b];
       moved[b].velocity.fill(0);
     }
@@ -347,9 +357,9 @@ void Stepper::count(const IslandResult& result) {
 // Whether nothing has moved in the step, and nothing did before it.
 bool Stepper::all_still() const {
   if (!islands_.all_rest()) return false;
-  for (size_t b = 0; b < model_.shapes.size(); ++b) {
+  for (const int b : model_.held_blocks) {
     const auto& v = model_.blocks[b].velocity;
-    if (model_.shapes[b].dofs == 0 && std::any_of(v.begin(), v.end(), [](double rate) { return rate != 0; })) return false;
+    if (std::any_of(v.begin(), v.end(), [](double rate) { return rate != 0; })) return false;
   }
   return true;
 }
@@ -364,19 +374,20 @@ double Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, cons
                        const std::optional<Energies>& start) {
   PartTimer timer(totals_, "update");
   const bool motion = scheme.step_v > 0;
+  spare_of_ = model_.sleep_changes;
   if (motion && !booking) {
     ledger_.ahead = scheme.bond_ahead;
+    spare_ = std::move(moved);
     return 0;
   }
   if (motion)  // nothing of it is work
-    for (size_t b = 0; b < moved.size(); ++b)
-      if (!model_.sleeps(int(b)) && islands_.rest(int(b)) != Rest::moves) model_.blocks[b].velocity.fill(0);
+    for (const int b : model_.awake_blocks())
+      if (islands_.rest(b) != Rest::moves) model_.blocks[b].velocity.fill(0);
   if (motion && bridge_motion_.any()) ledger_.numerical_flow += bridge_motion_.shift_loss(model_, scheme, d);
   const double dissipated = ledger_.friction_work + ledger_.viscous_work;
   if (motion) book_motion({model_, poses_, system_, supports_, scheme, d, moved}, ledger_);
   model_.blocks.swap(moved);
-  for (int b = 0; b < int(model_.shapes.size()); ++b)
-    if (!model_.sleeps(b)) model_.place_vertices(b);
+  for (const int b : model_.awake_blocks()) model_.place_vertices(b);
   if (plan_.contacts) {
     islands_.store(model_, contacts_, d, motion);
     if (motion) booking->book(model_, contacts_.rows(), scheme, d, ledger_);
@@ -389,6 +400,7 @@ double Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, cons
   }
   if (plan_.bonds && (!motion || !fracture_)) joints_.store_tractions(model_);  // else they are, to be judged
   if (fracture_ && !motion) bridges_.store_tractions(model_);
+  spare_ = std::move(moved);
   return gained;
 }
 

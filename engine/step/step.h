@@ -124,6 +124,7 @@ class Stepper {
   bool settled(const Scheme& scheme, const Vector& d);
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
   IslandResult solve(double dt, Vector& d);  // dt = 0: equilibrium
+  std::vector<BlockState> states_after(const Scheme& scheme, const Vector& d);
   bool overlooks(double dt, double displacement, const Vector& d, const std::vector<BlockState>& moved);
   bool turns_gain(const Scheme& scheme, const Course& course);
   void widen();
@@ -153,6 +154,9 @@ class Stepper {
   ContactTerms contacts_;
   std::vector<Contact> contacts_before_;  // of what is awake, while a step is attempted
   Poses poses_;
+  std::vector<BlockState> spare_;  // memory for where a step leads, with what sleeps as it is
+  long spare_of_ = -1;             // Model::sleep_changes it belongs to
+  std::vector<int> block_sizes_;  // unknowns of each block
   System system_;
   IslandSolver islands_;
   Sleep sleep_;

@@ -9,10 +9,14 @@ namespace talus {
 
 std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, const Vector& d) {
   std::vector<BlockState> moved = model.blocks;
-  for (size_t b = 0; b < moved.size(); ++b) {
-    if (model.sleeps(int(b))) continue;
+  move_awake(model, scheme, d, moved);
+  return moved;
+}
+
+void move_awake(const Model& model, const Scheme& scheme, const Vector& d, std::vector<BlockState>& moved) {
+  for (const int b : model.awake_blocks()) {
     const BlockShape& shape = model.shapes[b];
-    BlockState& state = moved[b];
+    BlockState& state = moved[b] = model.blocks[b];
     const auto v0 = state.velocity;
     const int size = shape.rate_count();
     std::array<double, max_dofs> move;
@@ -29,13 +33,11 @@ std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, c
     for (int k = first_order_dofs; k < size; ++k) state.bend[k - first_order_dofs] += move[k];
     if (shape.dofs > rigid_dofs && scheme.step_v > 0) {
       // Solved with the reference moment I; the spin momentum I(e) ω is what is kept.
-      const double i = moment_of_inertia(model, int(b), Vec3::Zero()),
-                   before = moment_of_inertia(model, int(b), strain0, model.blocks[b].bend),
-                   after = moment_of_inertia(model, int(b), state.strain, state.bend);
+      const double i = moment_of_inertia(model, b, Vec3::Zero()), before = moment_of_inertia(model, b, strain0, model.blocks[b].bend),
+                   after = moment_of_inertia(model, b, state.strain, state.bend);
       state.velocity[2] = (before * v0[2] + i * (state.velocity[2] - v0[2])) / after;
     }
   }
-  return moved;
 }
 
 namespace {
@@ -59,18 +61,15 @@ double displacement(const Model& model, int block, const BlockState& to) {
 
 double largest_displacement(const Model& model, const std::vector<BlockState>& moved) {
   double largest = 0;
-  for (size_t b = 0; b < moved.size(); ++b)
-    if (!model.sleeps(int(b))) largest = std::max(largest, displacement(model, int(b), moved[b]));
+  for (const int b : model.awake_blocks()) largest = std::max(largest, displacement(model, b, moved[b]));
   return largest;
 }
 
 int crushed_block(const Model& model, const std::vector<BlockState>& moved) {
   constexpr double least = 0.1;  // of the area
   const auto left = [](const Vec3& e) { return (1 + e[0]) * (1 + e[1]) - e[2] * e[2] / 4; };
-  for (size_t b = 0; b < moved.size(); ++b) {
-    if (model.sleeps(int(b))) continue;
-    if (const double now = left(moved[b].strain); now < least && now < left(model.blocks[b].strain)) return int(b);
-  }
+  for (const int b : model.awake_blocks())
+    if (const double now = left(moved[b].strain); now < least && now < left(model.blocks[b].strain)) return b;
   return -1;
 }
 

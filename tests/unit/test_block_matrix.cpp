@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <limits>
 #include <random>
 #include <stdexcept>
 #include <thread>
@@ -78,6 +79,34 @@ TEST(BlockMatrix, MultipliesLikeTheDenseOne) {
     EXPECT_EQ(s.matrix.dimension(), s.dense.rows());
     EXPECT_LT((product(s.matrix, x) - expected).norm(), 1e-13 * s.dense.norm() * x.norm());
   }
+}
+
+TEST(BlockMatrix, FormIsTheDenseOne) {
+  RandomSystem s(40, 6);
+  const Vector x = s.vector(), y = s.vector();
+  EXPECT_NEAR(s.matrix.form(x, y), x.dot(s.dense * y), 1e-13 * s.dense.norm() * x.norm() * y.norm());
+}
+
+// What sleeps: its unknowns are numbered, and nothing of them is kept or read.
+TEST(BlockMatrix, BlocksWithoutEntries) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Matrix3d m = Eigen::Vector3d(4, 5, 6).asDiagonal();
+  BlockMatrix matrix;
+  EXPECT_TRUE(matrix.set_pattern({3, 3, 3, 3}, {{1, 3}}, {1, 3}));
+  for (const int b : {1, 3}) matrix.add(matrix.slot(b, b), false, m);
+  matrix.add(matrix.slot(1, 3), false, Eigen::Matrix3d::Ones().eval());
+  Vector x(12), y = Vector::Zero(12);
+  x << none, none, none, 1, 2, 3, none, none, none, 1, 0, 0;
+  matrix.multiply(x, y);
+  Vector expected(12);
+  expected << 0, 0, 0, 5, 11, 19, 0, 0, 0, 10, 6, 6;
+  EXPECT_EQ(y, expected);
+  EXPECT_EQ(matrix.form(x, x), 5 + 22 + 57 + 10);
+  BlockMatrix part;
+  part.take_part(matrix, {1, 3}, {-1, 0, -1, 1});
+  EXPECT_EQ(part.values, matrix.values);
+  EXPECT_FALSE(matrix.set_pattern({3, 3, 3, 3}, {{3, 1}}, {1, 3}));
+  EXPECT_TRUE(matrix.set_pattern({3, 3, 3, 3}, {{3, 1}}, {0, 1, 3}));
 }
 
 TEST(BlockMatrix, OuterProductsAreAddedInAnyOrderOfBlocks) {
