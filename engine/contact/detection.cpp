@@ -309,11 +309,13 @@ void ContactSearch::find_surface(const Model& model) {
   surface_blocks_.clear();
   surface_.convex.clear();
   surface_.plain.clear();
+  least_length_ = std::numeric_limits<double>::infinity();
   for (size_t b = 0; b < model.shapes.size(); ++b) {
     const auto edges = std::span(surface_.free_edge).subspan(size_t(model.shapes[b].vertex_begin), size_t(model.vertex_count(int(b))));
     const auto free = std::count(edges.begin(), edges.end(), 1);
     if (free > 0) surface_blocks_.push_back(int(b));
     surface_.convex.push_back(convex(model, int(b)));
+    least_length_ = std::min(least_length_, model.shapes[b].length);
     surface_.plain.push_back(size_t(free) == edges.size() && surface_.convex.back());
   }
 }
@@ -351,8 +353,13 @@ void ContactSearch::find_outlines(const Model& model) {
     }
 }
 
-// Whether the last search found all there is: the same places, velocities, step and joints, to the last bit.
+// Whether the last search found all there is: nothing moves, and places, step and joints are the same to the last bit.
 bool ContactSearch::unmoved(const Model& model, double dt) {
+  const auto moves = [&model](int b) { return std::ranges::any_of(model.blocks[b].velocity, [](double rate) { return rate != 0; }); };
+  if (std::ranges::any_of(model.awake_blocks(), moves)) {
+    forget_last();
+    return false;
+  }
   bool same = dt == seen_dt_;
   size_t count = 0;
   const auto see = [&](std::span<const double> now) {
@@ -368,7 +375,6 @@ bool ContactSearch::unmoved(const Model& model, double dt) {
   for (const int k : model.awake_blocks()) {
     const BlockState& b = model.blocks[k];
     see(std::array{b.shift.x(), b.shift.y(), b.angle, b.strain[0], b.strain[1], b.strain[2]});
-    see(std::span(b.velocity).first(size_t(model.shapes[k].rate_count())));
     if (model.shapes[k].second_order()) see(b.bend);
   }
   see(std::array{double(model.revision), double(model.sleep_changes)});

@@ -63,6 +63,7 @@ class ContactSearch {
   std::vector<std::pair<int, int>> near(const Model& model, const std::vector<BlockState>& states, double dt) const;
   bool bonded(int a, int b) const;
   const Surface& surface() const { return surface_; }
+  double least_length() const { return least_length_; }  // m, of all blocks
   // The contacts that were there before the last search are back.
   void forget_last() { seen_.clear(); }
   // States of joints were set from outside: the surface is found anew.
@@ -86,8 +87,9 @@ class ContactSearch {
   int intact_joints_ = -1;          // the surface is found anew when this changes
   std::vector<int> surface_blocks_;  // blocks with a free edge
   Surface surface_;
+  double least_length_ = 0;
   double time_ = 0, last_dt_ = 0;    // s, of the last search of another time, and the accepted step since
-  std::vector<double> seen_;         // places and velocities of the last search
+  std::vector<double> seen_;         // places in the last search, if nothing moved
   double seen_dt_ = 0;
   NearBlocks near_blocks_;
   std::vector<std::pair<int, int>> near_;

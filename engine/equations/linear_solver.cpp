@@ -33,10 +33,9 @@ struct CholmodLibrary {
     const char* const core = __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") ? "SkylakeX"
                              : __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")        ? "Haswell"
                                                                                                       : nullptr;
-    const bool told = core && !getenv(core_variable);
-    if (told) setenv(core_variable, core, 0);
+    const Told core_type("OPENBLAS_CORETYPE", core);
+    const Told threads("OPENBLAS_NUM_THREADS", "1");  // the others would be started, and wait for work for some 0.05 s of CPU
     handle = dlopen(name().c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (told) unsetenv(core_variable);
     find("cholmod_start", start);
     find("cholmod_finish", finish);
     find("cholmod_free_factor", free_factor);
@@ -46,7 +45,21 @@ struct CholmodLibrary {
   }
 
  private:
-  static constexpr const char* core_variable = "OPENBLAS_CORETYPE";  // read when it is loaded
+  // A variable of the environment that OpenBLAS reads when it is loaded, unless the user has set it.
+  class Told {
+   public:
+    Told(const char* variable, const char* value) : variable_(value && !getenv(variable) ? variable : nullptr) {
+      if (variable_) setenv(variable_, value, 0);
+    }
+    ~Told() {
+      if (variable_) unsetenv(variable_);
+    }
+    Told(const Told&) = delete;
+    Told& operator=(const Told&) = delete;
+
+   private:
+    const char* variable_;
+  };
 
   // The one whose header this file was compiled with: its structures are those of that version only.
   static std::string name() { return "libcholmod.so." + std::to_string(CHOLMOD_MAIN_VERSION); }

@@ -52,10 +52,14 @@ int Islands::join(const Model& model, const ContactTerms& contacts) {
     if (ties(joint) && !model.sleeps(joint.a)) tie(joint.a, joint.b);
   for (const ContactRows& row : contacts.rows())
     if (row.near) tie(row.i, row.j);
-  of_.assign(model.shapes.size(), -1);
+  of_.assign(model.shapes.size(), 0);  // to be numbered, but for what is held or sleeps
+  for (const int b : model.held_blocks) of_[b] = -1;
   int count = 0;
-  for (const int b : model.awake_blocks())
-    if (model.shapes[b].dofs > 0) of_[b] = sets.root(b) == b ? count++ : of_[sets.root(b)];
+  for (int b = 0; b < int(of_.size()); ++b)
+    if (model.sleeps(b))
+      of_[b] = -1;
+    else if (of_[b] == 0)
+      of_[b] = sets.root(b) == b ? count++ : of_[sets.root(b)];
   return count;
 }
 

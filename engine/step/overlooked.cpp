@@ -263,9 +263,7 @@ class Hindsight {
 
 bool overlooked(const Model& model, const ContactSearch& search, const ContactTerms& contacts, const Vector& d,
                 const std::vector<BlockState>& moved, double dt, double displacement) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const int b : model.awake_blocks()) least = std::min(least, model.shapes[b].length);
-  if (2 * displacement <= passing_tolerance * least) return false;
+  if (2 * displacement <= passing_tolerance * search.least_length()) return false;
   Hindsight hindsight(model, search, moved, dt);
   return hindsight.any() && (hindsight.presses_apart(contacts, d) || hindsight.overlaps());
 }

@@ -27,6 +27,11 @@ constexpr double most_gain = 1e-6;  // in a step, of what moves and is stored
 constexpr double most_turning = 1e-3;  // in a step, of the ledger's scale: what all steps leave unexplained is to be below a hundredth
 constexpr double most_solve_effort = 24;  // factors, among cracks: three times what keeps a step from growing
 
+void stand(const BlockState& where, BlockState& state) {
+  state = where;
+  state.velocity.fill(0);
+}
+
 }  // namespace
 
 Stepper::Stepper(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledger)
@@ -188,11 +193,9 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     report.iterations = course.result.iterations;
     report.residual = course.result.residual;
     if (!course.result.converged) return course;
-    course.moved = states_after(scheme, course.d);
-    keep_rest(course.moved);
-    report.displacement = course.far = largest_displacement(model_, course.moved);
+    lead(scheme, course);
+    report.displacement = course.far;
     if (step_size_.heeds_turns()) course.far = std::max(course.far, step_size_.as_far_as(largest_turn_of_pressed(model_, course.moved)));
-    course.crushed = crushed_block(model_, course.moved);
     if (step_size_.too_far(course.far) || course.crushed >= 0) return course;
 
     // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
@@ -317,12 +320,21 @@ bool Stepper::turns_gain(const Scheme& scheme, const Course& course) {
   return work > most_turning * ledger_.scale() && work > most_turning * energies().stored();
 }
 
-// Where the step leads, in memory of the last one, unless others sleep since.
-std::vector<BlockState> Stepper::states_after(const Scheme& scheme, const Vector& d) {
-  std::vector<BlockState> moved = std::move(spare_);
+// In one pass over the blocks: of many the states are more than caches hold. In memory of the last step, unless others sleep since.
+void Stepper::lead(const Scheme& scheme, Course& course) {
+  std::vector<BlockState>& moved = course.moved = std::move(spare_);
   if (moved.size() != model_.blocks.size() || spare_of_ != model_.sleep_changes) moved = model_.blocks;
-  move_awake(model_, scheme, d, moved);
-  return moved;
+  course.far = 0;
+  course.crushed = -1;
+  for (const int b : model_.awake_blocks()) {
+    if (islands_.rest(b) != Rest::moves) {
+      stand(model_.blocks[b], moved[b]);
+      continue;
+    }
+    move_block(model_, scheme, course.d, b, moved[b]);
+    course.far = std::max(course.far, displacement(model_, b, moved[b]));
+    if (course.crushed < 0 && crushed(model_, b, moved[b])) course.crushed = b;
+  }
 }
 
 // The blocks of islands in which a contact presses that was not solved for get more of their contacts.
@@ -335,10 +347,7 @@ void Stepper::widen() {
 // What rests stays where it is, and stands still.
 void Stepper::keep_rest(std::vector<BlockState>& moved) {
   for (const int b : model_.awake_blocks())
-    if (islands_.rest(b) != Rest::moves) {
-      moved[b] = model_.blocks[b];
-      moved[b].velocity.fill(0);
-    }
+    if (islands_.rest(b) != Rest::moves) stand(model_.blocks[b], moved[b]);
 }
 
 void Stepper::count(const IslandResult& result) {

@@ -124,7 +124,7 @@ class Stepper {
   bool settled(const Scheme& scheme, const Vector& d);
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
   IslandResult solve(double dt, Vector& d);  // dt = 0: equilibrium
-  std::vector<BlockState> states_after(const Scheme& scheme, const Vector& d);
+  void lead(const Scheme& scheme, Course& course);
   bool overlooks(double dt, double displacement, const Vector& d, const std::vector<BlockState>& moved);
   bool turns_gain(const Scheme& scheme, const Course& course);
   void widen();
