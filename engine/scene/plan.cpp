@@ -47,7 +47,8 @@ Plan make_plan(const Model& model) {
   plan.edge_loads = !model.edge_forces.empty();
   plan.body_forces = scene.gravity != Vec2::Zero() || std::any_of(scene.regions.begin(), scene.regions.end(), any_body_force);
   plan.gravity = scene.gravity != Vec2::Zero();
-  plan.loads = plan.point_loads || plan.edge_loads ||
+  plan.initial_stress = !plan.dynamic && std::any_of(scene.regions.begin(), scene.regions.end(), [](const Region& region) { return region.stress.has_value(); });
+  plan.loads = plan.point_loads || plan.edge_loads || plan.initial_stress ||
                std::any_of(scene.regions.begin(), scene.regions.end(), any_body_force);
   plan.moving_supports = std::any_of(scene.fixities.begin(), scene.fixities.end(), [](const Fixity& fixity) {
     return fixity.motion != Fixity::none || fixity.spin != 0;

@@ -140,7 +140,9 @@ int native_update(lua_State* L) {
   const auto index = static_cast<int>(luaL_checkinteger(L, 3)) - 1;
   Model& model = run->simulation.model;
   refuse_late(L, run->simulation, luaL_checkstring(L, 2), index, TableReader(L, 4));
-  update_scene(model.scene, luaL_checkstring(L, 2), index, TableReader(L, 4), model.time);
+  const std::string list = luaL_checkstring(L, 2);
+  if (list != "point_loads" && list != "edge_loads") run->simulation.before_change();  // they hold no energy
+  update_scene(model.scene, list, index, TableReader(L, 4), model.time);
   model.changed();
   return 0;
 }

@@ -220,16 +220,20 @@ int item_set(lua_State* L) {
   Model& model = item.run->simulation.model;
   BlockState& block = model.blocks[item.id];
   if (model.shapes[item.id].dofs == 0) refuse(L, label + ": expected a block that can move, got one that is held; a talus.fix moves it");
+  if (name == "velocity" && !lua_istable(L, 3)) refuse(L, label + ": expected {vx, vy}, got " + describe(L, 3));
+  auto velocity = block.velocity;
   if (name == "spin") {
-    block.velocity[2] = check_finite(L, 3, label) * model.shapes[item.id].length;
+    velocity[2] = check_finite(L, 3, label) * model.shapes[item.id].length;
   } else {
-    if (!lua_istable(L, 3)) refuse(L, label + ": expected {vx, vy}, got " + describe(L, 3));
     for (int i = 0; i < 2; ++i) {
       lua_rawgeti(L, 3, i + 1);
-      block.velocity[i] = check_finite(L, -1, label);
+      velocity[i] = check_finite(L, -1, label);
       lua_pop(L, 1);
     }
   }
+  if (velocity == block.velocity) return 0;
+  item.run->simulation.before_change();
+  block.velocity = velocity;
   model.changed();
   return 0;
 }

@@ -34,7 +34,7 @@ std::span<const EnergyTerm> energy_terms() {
       {"total", "total_energy", "total", EnergyTerm::sum, &Energies::total,
        "kinetic, strain, contact and gravity together", always},
       {"external", "external_work", "loads", EnergyTerm::put_in, &Energies::external,
-       "work of loads and body forces", [](const Plan& plan) { return plan.loads; }},
+       "work of loads and body forces, and in static runs of what is not in balance of an initial stress", [](const Plan& plan) { return plan.loads; }},
       {"gas", "gas_work", "gas", EnergyTerm::put_in, &Energies::gas, "work of explosion gas on the rock",
        [](const Plan& plan) { return plan.gas; }},
       {"boundary", "boundary_work", "moving supports", EnergyTerm::put_in, &Energies::boundary,

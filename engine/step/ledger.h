@@ -6,8 +6,7 @@
 // ΔX = Δt (v0 + v1)/2. What each force gives is booked here from the solution; what is stored is read off the
 // state. All energies are those of the places y = X + ahead·v at which the integrator's forces act, ahead =
 // (θ-½)Δt. The integrator's own loss is booked by its formula, term by term, never as what is left; what is left
-// is `unexplained`: finite rotations, contacts that hand over, the solver's residual, what a script changed by
-// hand.
+// is `unexplained`: finite rotations, contacts that hand over, the solver's residual.
 #include <algorithm>
 
 #include "equations/bridge_terms.h"
@@ -21,7 +20,7 @@ namespace talus {
 struct Ledger {
   double ahead = 0;           // s, from X to y over the velocity: of the last accepted step, and from change_step() on of the one attempted
   double gravity_work = 0;    // along X
-  double external_work = 0;   // loads and body forces, along y
+  double external_work = 0;   // loads and body forces, along y; an initial stress out of balance (static); what the script changes in motion
   double gas_work = 0;        // explosion gas, along X
   double boundary_work = 0;   // moving supports and held blocks; what viscous boundaries carried at the start
   double friction_work = 0;   // dissipated

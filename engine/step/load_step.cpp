@@ -44,7 +44,7 @@ StepReport Stepper::load_step(double to, bool first) {
     Equilibrium search;
     search.in_place = !plan_.moving_supports;
     if (!balance(search)) give_up(search);
-    booking.book(model_, supports_, ledger_);
+    book_load(booking, first);
     return search.report;
   }
   const std::vector<int> due = first ? std::vector<int>{} : fracture_->choose(false);
@@ -99,7 +99,7 @@ StepReport Stepper::raise_load(double to, bool first) {
     search.report.utilisation = after;
     if (found && (after <= 1 + overshoot || search.jumped || until <= soonest)) {
       const Ledger ledger = ledger_;
-      booking.book(model_, supports_, ledger_);
+      book_load(booking, first);
       bridges.book(model_, ledger_);
       const double off = closure.work(model_, ledger_.friction_work - ledger.friction_work);
       const bool bent = std::abs(off) > std::max(most_bend * exchanged(ledger, ledger_), least_bend * ledger_.scale());

@@ -97,6 +97,7 @@ StepReport Simulation::step() {
 
 void Simulation::take_step() {
   begin();
+  book_change();
   const long factors = totals.factorisations;
   last = half_steps_ ? half_steps_->step()
          : plan.dynamic ? stepper_->dynamic_step()
@@ -156,6 +157,8 @@ void Simulation::visit_state(StateVisitor& visitor) {
   visitor("last", last);
   visitor("ledger", ledger);
   visitor("begun", begun_);
+  visitor("changed", changed_);
+  visitor("rest_at_change", rest_at_change_);
   visitor.growing("notes", notes);
 }
 
@@ -214,7 +217,27 @@ const std::vector<GasEvent>& Simulation::gas_events() const {
   return half_steps_ ? half_steps_->gas_events() : gas() ? gas()->events() : none;
 }
 
-Energies Simulation::energies() const { return stepper_->energies(); }
+Energies Simulation::energies() const {
+  Energies e = stepper_->energies();
+  if (!changed_) return e;
+  e.external += e.unexplained - rest_at_change_;
+  e.unexplained = rest_at_change_;
+  return e;
+}
+
+void Simulation::before_change() {
+  if (changed_ || !begun_ || !plan.dynamic) return;
+  rest_at_change_ = energies().unexplained;
+  changed_ = true;
+}
+
+void Simulation::book_change() {
+  if (!changed_) return;
+  ledger.external_work = energies().external;
+  ledger.largest_work = std::max(ledger.largest_work, std::abs(ledger.external_work));
+  changed_ = false;
+  rest_at_change_ = 0;
+}
 
 const Recovery* Simulation::recovery() {
   if (!plan.recovery) return nullptr;

@@ -100,6 +100,9 @@ class Simulation {
   std::vector<std::string> notes;  // what the user should know of the run; shown and kept in run.json
   Ledger ledger;                   // of energy, since the start of the run
   Energies energies() const;
+  // To be called before materials, joint properties, supports or velocities are changed between two steps of motion: what that adds to
+  // the energy is work put in.
+  void before_change();
   Stepper& stepper() { return *stepper_; }
   // Smoothed stress, brought up to date on first use after a step. Null when numerics.recovery is off.
   const Recovery* recovery();
@@ -112,6 +115,7 @@ class Simulation {
   template <class Visitor>
   Visitor visited() const;  // by a visitor that only reads
   void take_step();
+  void book_change();
   void settle();  // equilibrium, with the initial velocities kept
 
   Fingerprint fingerprint_;
@@ -121,6 +125,8 @@ class Simulation {
   long recovered_step_ = -1;
   double next_load() const;  // s, to which the next load step goes
   bool begun_ = false, stopped_ = false;
+  bool changed_ = false;        // since the last step, by before_change()
+  double rest_at_change_ = 0;  // J/m, that was unexplained then
 };
 
 }  // namespace talus

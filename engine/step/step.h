@@ -97,6 +97,7 @@ class Stepper {
   double reachable(double to) const;
   double foreseen(double from, double to, double utilisation) const;
   StepReport raise_load(double to, bool first);
+  void book_load(const LoadStepBooking& booking, bool first);
   StepReport collapse(const Equilibrium& search);
   StepReport break_bonds(const std::vector<int>& due);
   [[noreturn]] void give_up(const Equilibrium& search) const;

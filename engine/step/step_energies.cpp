@@ -1,8 +1,33 @@
 // The energies of a step's model: read off its state, and taken from the ledger.
+#include <utility>
+
 #include "equations/viscous_terms.h"
 #include "step/step.h"
 
 namespace talus {
+
+namespace {
+
+class Unstressed {  // blocks without their initial stress, while this lives
+ public:
+  explicit Unstressed(Model& model) : model_(model), quadratic_(model.quadratic_shapes) {
+    for (BlockShape& shape : model.shapes) stress_.push_back(std::exchange(shape.initial_stress, Vec3::Zero()));
+    for (QuadraticShape& shape : model.quadratic_shapes) shape.stress_x = shape.stress_y = Vec3::Zero();
+  }
+  ~Unstressed() {
+    model_.quadratic_shapes = std::move(quadratic_);
+    for (size_t b = 0; b < stress_.size(); ++b) model_.shapes[b].initial_stress = stress_[b];
+  }
+  Unstressed(const Unstressed&) = delete;
+  Unstressed& operator=(const Unstressed&) = delete;
+
+ private:
+  Model& model_;
+  std::vector<QuadraticShape> quadratic_;
+  std::vector<Vec3> stress_;
+};
+
+}  // namespace
 
 void Stepper::begin_ledger() {
   ledger_ = {};
@@ -17,6 +42,16 @@ double Stepper::elastic_energy(double ahead) {
   double sum = strain_energy(model_, joints_, supports_, ahead) + sleep_.stored(model_).strain;
   for (const auto& term : terms) sum += term->energy(model_, ahead);
   return sum;
+}
+
+// The energy stored is linear in an initial stress, which grows in the first load step as the loads do: half of what it has put in.
+void Stepper::book_load(const LoadStepBooking& booking, bool first) {
+  if (first && plan_.initial_stress) {
+    const double all = energies().strain;
+    const Unstressed unstressed(model_);
+    ledger_.external_work += (all - energies().strain) / 2;
+  }
+  booking.book(model_, supports_, ledger_);
 }
 
 int Stepper::closed_contacts() { return sleep_.stored(model_).closed + talus::closed_contacts(model_.awake_contacts()); }

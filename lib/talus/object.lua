@@ -146,6 +146,20 @@ local function pass_on(record)
   end
 end
 
+-- Not of functions, which may answer otherwise than before.
+local function same(a, b)
+  if type(a) ~= "table" or type(b) ~= "table" then return a == b and type(a) ~= "function" end
+  if object.kind(a) ~= object.kind(b) then return false end
+  if records[a] then a, b = records[a].values, records[b].values end
+  for key in pairs(b) do
+    if a[key] == nil then return false end
+  end
+  for key, value in pairs(a) do
+    if not same(value, b[key]) then return false end
+  end
+  return true
+end
+
 local function new_index(self, name, value)
   local record, place = records[self], places.here()
   local field = schema[record.kind].by_name[name]
@@ -160,6 +174,7 @@ local function new_index(self, name, value)
   check_rules(record.kind, values, place, record.path)
   local before = record.values
   record.values = values
+  if same(before[name], values[name]) then return end
   local passed, problem = pcall(pass_on, record)
   if not passed then
     record.values = before
@@ -216,8 +231,9 @@ end
 
 -- Takes values that thaw has made; every simulation that uses the object follows.
 function object.put(self, values)
+  local before = records[self].values
   records[self].values = values
-  pass_on(records[self])
+  if not same(before, values) then pass_on(records[self]) end
 end
 
 for kind in pairs(schema) do
