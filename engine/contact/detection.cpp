@@ -353,7 +353,7 @@ void ContactSearch::find_outlines(const Model& model) {
     }
 }
 
-// Whether the last search found all there is: nothing moves, and places, step and joints are the same to the last bit.
+// Whether the last search found all there is: nothing moves, and places and step are the same to the last bit, and the same blocks sleep.
 bool ContactSearch::unmoved(const Model& model, double dt) {
   const auto moves = [&model](int b) { return std::ranges::any_of(model.blocks[b].velocity, [](double rate) { return rate != 0; }); };
   if (std::ranges::any_of(model.awake_blocks(), moves)) {
@@ -414,7 +414,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
     for (const auto& [a, b] : near_)
       if (!bonded(a, b)) find_contacts(model, surface_, faces_, a, b, dt, now, meeting);
   }
-  if (!seen.empty()) seen_.clear();  // another search than that of these velocities
+  if (!seen.empty()) forget_last();  // it was of other velocities
   drop_points(model, meeting, bonded_, now);
   sort_by_key(now);
   carry_over(model, dt, cracked, now);

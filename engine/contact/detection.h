@@ -64,7 +64,7 @@ class ContactSearch {
   bool bonded(int a, int b) const;
   const Surface& surface() const { return surface_; }
   double least_length() const { return least_length_; }  // m, of all blocks
-  // The contacts that were there before the last search are back.
+  // The next search looks whatever has moved.
   void forget_last() { seen_.clear(); }
   // States of joints were set from outside: the surface is found anew.
   void forget(const Model& model) {

@@ -1,6 +1,7 @@
 #include "equations/block_matrix.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace talus {
@@ -30,9 +31,10 @@ bool BlockMatrix::set_pattern(const std::vector<int>& sizes, std::vector<std::pa
   for (int b = 0; b < blocks; ++b) pair_begin_[b + 1] += pair_begin_[b];
 
   pair_offset_.resize(pairs_.size());
-  above_.assign(blocks, 0);
+  above_.assign(blocks, -1);
   size_t count = 0;
   for (const int b : with_entries_) {
+    above_[b] = 0;
     for (int p = pair_begin_[b]; p < pair_begin_[b + 1]; ++p) {
       pair_offset_[p] = above_[b];
       above_[b] += sizes_[pairs_[p].second];
@@ -76,7 +78,7 @@ bool BlockMatrix::take_part(const BlockMatrix& whole, const std::vector<int>& bl
 }
 
 BlockMatrix::Slot BlockMatrix::slot(int a, int b) const {
-  if (a == b) return {a, a, above_[a]};
+  if (a == b) return above_[a] < 0 ? Slot{} : Slot{a, a, above_[a]};
   const auto [row, column] = std::minmax(a, b);
   const auto first = pairs_.begin() + pair_begin_[column], last = pairs_.begin() + pair_begin_[column + 1];
   const auto found = std::lower_bound(first, last, std::pair<int, int>(column, row));
@@ -85,6 +87,7 @@ BlockMatrix::Slot BlockMatrix::slot(int a, int b) const {
 }
 
 void BlockMatrix::add_outer(const Slot& slot, double factor, const double* u, const double* v) {
+  assert(slot.row >= 0);
   const int rows = sizes_[slot.row], columns = sizes_[slot.column], first = begin_[slot.column];
   const bool diagonal = slot.row == slot.column;
   for (int j = 0; j < columns; ++j) {

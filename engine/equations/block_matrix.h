@@ -1,6 +1,7 @@
 #pragma once
 // A symmetric sparse matrix of dense blocks of any size, kept as the upper triangle by scalar columns (which CHOLMOD reorders with one
 // transposition, the lower one with two). The pattern comes from pairs of blocks; values are added through slots found once.
+#include <cassert>
 #include <cstdint>
 #include <unordered_map>
 #include <utility>
@@ -23,7 +24,8 @@ class BlockMatrix {
   // the part. Returns whether the pattern changed.
   bool take_part(const BlockMatrix& whole, const std::vector<int>& blocks, const std::vector<int>& place);
 
-  // Where the (row block, column block) submatrix lies; row < column, or equal for the diagonal.
+  // Where the (row block, column block) submatrix lies; row < column, or equal for the diagonal. Negative: nowhere, as of a block without entries
+  // or a pair that was not given.
   struct Slot {
     int row = -1, column = -1;
     int offset = 0;  // rows above the submatrix among the column's entries
@@ -79,6 +81,7 @@ class BlockMatrix {
  private:
   template <typename Derived>
   void add(const Slot& slot, const Derived& m) {
+    assert(slot.row >= 0);
     const int rows = sizes_[slot.row], columns = sizes_[slot.column], first = begin_[slot.column];
     const bool diagonal = slot.row == slot.column;
     const int* const begin = &column_begin_[first];

@@ -105,18 +105,18 @@ Vec2 body_force(const Model& model, int region, double density, double t) {
 }
 
 void add_hold(const Model& model, const std::vector<double>& hold, const Vector& lead, System& system) {
-  for (size_t b = 0; b < hold.size(); ++b) {
+  for (const int b : model.awake_blocks()) {
     if (model.shapes[b].dofs == 0) continue;
-    const Material& material = model.material(int(b));
+    const Material& material = model.material(b);
     const double own_rate2 = material.young / (material.density * model.extent * model.extent);
     const BlockShape& shape = model.shapes[b];
     with_size(shape.second_order(), [&](auto n) {
-      const MatrixOf<n> inertia = hold[b] * own_rate2 * mass_matrix_of<n>(model, int(b));
-      system.matrix.add(system.matrix.slot(int(b), int(b)), false, inertia);
+      const MatrixOf<n> inertia = hold[b] * own_rate2 * mass_matrix_of<n>(model, b);
+      system.matrix.add(system.matrix.slot(b, b), false, inertia);
       if (lead.size() == 0) return;
       ColumnOf<n> own = ColumnOf<n>::Zero();
       own.head(shape.dofs) = lead.segment(shape.dof_begin, shape.dofs);
-      system.add_force<n>(shape, int(b), -(inertia * own));
+      system.add_force<n>(shape, b, -(inertia * own));
     });
   }
 }

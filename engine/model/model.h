@@ -324,7 +324,8 @@ class Model {
     return std::views::iota(0, int(shapes.size())) | std::views::filter([this](int block) { return !sleeps(block); });
   }
   bool sleeps(const Contact& c) const { return sleeps(c.i) || sleeps(c.j); }
-  // To be called by whoever changes materials, joint properties, loads, supports or velocities between steps: all wake.
+  // To be called by whoever changes materials, joint properties, loads, supports or states of blocks between steps: all wake. (A state of what sleeps
+  // that is changed without is lost: steps keep two copies, by turns.)
   void changed();
   void order_contacts();  // after a change of `asleep`
   std::span<Contact> awake_contacts() { return std::span(contacts).subspan(size_t(sleeping_contacts)); }

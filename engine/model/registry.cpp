@@ -71,7 +71,7 @@ void visit_state(Model& model, StateVisitor& v) {
   v.constant("edge_fixities", model.edge_fixities);
   v.constant("point_forces", model.point_forces);
   v.constant("edge_forces", model.edge_forces);
-  // vertex comes from blocks, fragment from joints; revision and sleep_changes only tell that something changed.
+  // vertex comes from blocks, fragment from joints, held_blocks from shapes; revision and sleep_changes only tell that something changed.
 }
 
 void visit_values(Scene& scene, StateVisitor& v) {

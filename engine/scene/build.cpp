@@ -60,6 +60,7 @@ void default_contact(Scene& scene) {
 
 void number_unknowns(Model& model) {
   model.dofs = 0;
+  model.held_blocks.clear();
   for (size_t b = 0; b < model.shapes.size(); ++b) {
     BlockShape& shape = model.shapes[b];
     shape.dof_begin = model.dofs;

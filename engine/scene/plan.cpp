@@ -57,7 +57,7 @@ Plan make_plan(const Model& model) {
                      std::any_of(scene.properties.begin(), scene.properties.end(), [](const JointProperty& p) { return p.restitution < 1; });
   plan.damping = plan.restitution || (plan.dynamic && (scene.numerics.damping || (scene.numerics.integrator == Integrator::newmark &&
                                                               scene.numerics.dynamic_parameter < 1)));
-  plan.held_blocks = std::any_of(model.shapes.begin(), model.shapes.end(), [](const auto& s) { return s.dofs == 0; });
+  plan.held_blocks = !model.held_blocks.empty();
   plan.recovery = scene.numerics.recovery && plan.bonds;
 
   const auto count_order = [&model](int dofs) {

@@ -128,7 +128,7 @@ void Stepper::start_sliding() {
     if (last) {
       std::vector<BlockState> moved = moved_blocks(model_, scheme, d);
       keep_rest(moved);
-      accept(std::move(moved), scheme, d);
+      accept(moved, scheme, d);
       attempt.keep();
     }
     lead = sliding_lead * d;
@@ -205,7 +205,7 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
     search.jumped |= softening.wears;
     report.displacement = std::max(report.displacement, displacement);
     keep_rest(moved);
-    accept(std::move(moved), scheme, d);
+    accept(moved, scheme, d);
     if (!search.whole_way) end_sliding(model_);
     if (settlement) search.left = settlement->left(model_);
     if (search.left >= 0) return false;

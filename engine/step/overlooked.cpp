@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "contact/way_out.h"
 #include "geometry/polygon.h"

@@ -58,9 +58,7 @@ void Sleep::wake_loaded(const Model& model, const Scheme& scheme, std::vector<ch
   };
   for (const PointForce& force : model.point_forces) touch(size_t(force.load), force.block);
   for (const EdgeForce& force : model.edge_forces) touch(edges + size_t(force.load), force.block);
-  bool any_region = false;
-  for (size_t input = regions; input < supports; ++input) any_region = any_region || other(input);
-  if (any_region)
+  if (std::ranges::any_of(std::views::iota(regions, supports), other))
     for (const int b : sleepers_) touch(regions + size_t(model.shapes[b].region), b);
   for (const PointFixity& point : model.point_fixities) touch(supports + size_t(point.fixity), point.block);
   for (const EdgeFixity& edge : model.edge_fixities) touch(supports + size_t(edge.fixity), edge.block);

@@ -89,10 +89,10 @@ StepReport Stepper::dynamic_step(double most) {
     }
 
     // 7. The step is accepted: geometry, velocities, contact and joint states, then what takes energy from where they lead.
-    const std::vector<double> kept = plan_.damping ? kept_velocities(model_, course.moved, dt) : std::vector<double>{};
+    const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved_, dt) : std::vector<double>{};
     std::optional<Restitution> restitution;
     if (plan_.restitution) restitution.emplace(model_, contacts_);
-    const double gained = accept(std::move(course.moved), scheme, course.d, contacts_at_start(), start);
+    const double gained = accept(moved_, scheme, course.d, contacts_at_start(), start);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
     if (start && !regretted && gained > most_gain * start->stored() && regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most)) {
       regretted = weighed_late_ = true;
@@ -195,16 +195,16 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     if (!course.result.converged) return course;
     lead(scheme, course);
     report.displacement = course.far;
-    if (step_size_.heeds_turns()) course.far = std::max(course.far, step_size_.as_far_as(largest_turn_of_pressed(model_, course.moved)));
+    if (step_size_.heeds_turns()) course.far = std::max(course.far, step_size_.as_far_as(largest_turn_of_pressed(model_, moved_)));
     if (step_size_.too_far(course.far) || course.crushed >= 0) return course;
 
     // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
-    if (fracture_ && breaks(course.moved, scheme.dt, report)) continue;
+    if (fracture_ && breaks(scheme.dt, report)) continue;
 
     // 5. Contacts that it went past: once again with those on its way.
-    course.past = plan_.contacts && step_size_.may_halve(scheme.dt) && overlooks(scheme.dt, report.displacement, course.d, course.moved);
+    course.past = plan_.contacts && step_size_.may_halve(scheme.dt) && overlooks(scheme.dt, report.displacement, course.d);
     if (!course.past || !seen.empty()) return course;
-    seen = std::move(course.moved);
+    seen = moved_;
   }
 }
 
@@ -221,7 +221,7 @@ void Stepper::visit_state(StateVisitor& visitor) {
 
 void Stepper::restored() {
   revision_ = -1;
-  if (!model_.scene.numerics.sleeping) model_.changed();  // the state may be of a run that let things sleep
+  if (!model_.scene.numerics.sleeping || !plan_.dynamic) model_.changed();  // the state may be of a run that let things sleep
   const bool late = weighed_late_;
   rewound();
   weighed_late_ = late;
@@ -230,7 +230,7 @@ void Stepper::restored() {
 void Stepper::rewound() {
   weighed_late_ = true;
   judged_astray_ = half_done_ = false;
-  spare_of_ = -1;
+  moved_of_ = -1;
   search_.forget(model_);
   sleep_.restored();
   if (fracture_) {
@@ -308,32 +308,32 @@ IslandResult Stepper::solve(double dt, Vector& d) {
   return result;
 }
 
-bool Stepper::overlooks(double dt, double displacement, const Vector& d, const std::vector<BlockState>& moved) {
+bool Stepper::overlooks(double dt, double displacement, const Vector& d) {
   PartTimer timer(totals_, "contact search");
-  return overlooked(model_, search_, contacts_, d, moved, dt, displacement);
+  return overlooked(model_, search_, contacts_, d, moved_, dt, displacement);
 }
 
 // Whether blocks turn in the step by so much that the work of their contacts is not what it was solved with.
 bool Stepper::turns_gain(const Scheme& scheme, const Course& course) {
   PartTimer timer(totals_, "update");
-  const double work = work_of_turning(model_, contacts_, scheme, course.d, course.moved);
+  const double work = work_of_turning(model_, contacts_, scheme, course.d, moved_);
   return work > most_turning * ledger_.scale() && work > most_turning * energies().stored();
 }
 
-// In one pass over the blocks: of many the states are more than caches hold. In memory of the last step, unless others sleep since.
+// Finds moved_ in one pass over what is awake: of many blocks the states are more than caches hold. What sleeps is in it as it is.
 void Stepper::lead(const Scheme& scheme, Course& course) {
-  std::vector<BlockState>& moved = course.moved = std::move(spare_);
-  if (moved.size() != model_.blocks.size() || spare_of_ != model_.sleep_changes) moved = model_.blocks;
+  if (moved_of_ != model_.sleep_changes) moved_ = model_.blocks;
+  moved_of_ = model_.sleep_changes;
   course.far = 0;
   course.crushed = -1;
   for (const int b : model_.awake_blocks()) {
     if (islands_.rest(b) != Rest::moves) {
-      stand(model_.blocks[b], moved[b]);
+      stand(model_.blocks[b], moved_[b]);
       continue;
     }
-    move_block(model_, scheme, course.d, b, moved[b]);
-    course.far = std::max(course.far, displacement(model_, b, moved[b]));
-    if (course.crushed < 0 && crushed(model_, b, moved[b])) course.crushed = b;
+    move_block(model_, scheme, course.d, b, moved_[b]);
+    course.far = std::max(course.far, displacement(model_, b, moved_[b]));
+    if (course.crushed < 0 && crushed(model_, b, moved_[b])) course.crushed = b;
   }
 }
 
@@ -379,14 +379,12 @@ std::optional<ContactBooking> Stepper::contacts_at_start() {
   return ContactBooking(model_);
 }
 
-double Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,
+double Stepper::accept(std::vector<BlockState>& moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,
                        const std::optional<Energies>& start) {
   PartTimer timer(totals_, "update");
   const bool motion = scheme.step_v > 0;
-  spare_of_ = model_.sleep_changes;
   if (motion && !booking) {
     ledger_.ahead = scheme.bond_ahead;
-    spare_ = std::move(moved);
     return 0;
   }
   if (motion)  // nothing of it is work
@@ -409,7 +407,6 @@ double Stepper::accept(std::vector<BlockState> moved, const Scheme& scheme, cons
   }
   if (plan_.bonds && (!motion || !fracture_)) joints_.store_tractions(model_);  // else they are, to be judged
   if (fracture_ && !motion) bridges_.store_tractions(model_);
-  spare_ = std::move(moved);
   return gained;
 }
 

@@ -104,7 +104,6 @@ class Stepper {
   struct Course {  // what an attempt at a step comes to
     IslandResult result;
     Vector d;                              // m, of the unknowns
-    std::vector<BlockState> moved;         // where it leads
     bool past = false;                     // contacts that it did not have
     double far = 0;                        // m, that bounds the step
     int crushed = -1;                      // block
@@ -116,7 +115,7 @@ class Stepper {
   std::optional<Energies> begin(const Scheme& scheme, Attempt& attempt);
   Course seek(const Scheme& scheme, Attempt& attempt, StepReport& report);
   void keep_failures(Course& course, StepReport& report);
-  bool breaks(std::vector<BlockState>& moved, double dt, StepReport& report);
+  bool breaks(double dt, StepReport& report);
   void judge_again();
   void change_step(double ahead);
   void fail(const std::vector<int>& due, double time, bool motion);
@@ -126,7 +125,7 @@ class Stepper {
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
   IslandResult solve(double dt, Vector& d);  // dt = 0: equilibrium
   void lead(const Scheme& scheme, Course& course);
-  bool overlooks(double dt, double displacement, const Vector& d, const std::vector<BlockState>& moved);
+  bool overlooks(double dt, double displacement, const Vector& d);
   bool turns_gain(const Scheme& scheme, const Course& course);
   void widen();
   void assemble(const Scheme& scheme, bool stick);
@@ -137,7 +136,8 @@ class Stepper {
   std::optional<ContactBooking> contacts_at_start();
   // `booking`: of a step in motion; without it such a step has nothing to book.
   // Returns what the step has added to the energy it began with, where that is given.
-  double accept(std::vector<BlockState> moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking = {},
+  // The model's states are in `moved` afterwards.
+  double accept(std::vector<BlockState>& moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking = {},
                 const std::optional<Energies>& start = {});
   [[noreturn]] void give_up(const OpenCloseResult& result, double dt, int crushed = -1) const;
   int culprit(const Equilibrium& search) const;  // the block that is named when there is no equilibrium
@@ -155,8 +155,8 @@ class Stepper {
   ContactTerms contacts_;
   std::vector<Contact> contacts_before_;  // of what is awake, while a step is attempted
   Poses poses_;
-  std::vector<BlockState> spare_;  // memory for where a step leads, with what sleeps as it is
-  long spare_of_ = -1;             // Model::sleep_changes it belongs to
+  std::vector<BlockState> moved_;  // where an attempt at a step in motion leads
+  long moved_of_ = -1;             // Model::sleep_changes of what sleeps in it
   std::vector<int> block_sizes_;  // unknowns of each block
   System system_;
   IslandSolver islands_;

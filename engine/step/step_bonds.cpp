@@ -44,13 +44,13 @@ void Stepper::left() {
 }
 
 // Whether bonds fail where the step leads and it is to be taken again. Not in a step shorter than a wave takes through a block, in which a
-// bond cannot feel yet that another has failed: those that are due then fail at the start of the next. `moved` is only lent to the model.
-bool Stepper::breaks(std::vector<BlockState>& moved, double dt, StepReport& report) {
+// bond cannot feel yet that another has failed: those that are due then fail at the start of the next. The states are only lent to the model.
+bool Stepper::breaks(double dt, StepReport& report) {
   PartTimer timer(totals_, "fracture");
   judged_astray_ = true;  // until the step is accepted
   std::vector<int> due;
   {
-    const Lent lent(model_, moved);
+    const Lent lent(model_, moved_);
     joints_.store_tractions(model_);
     report.utilisation = std::max(report.utilisation, fracture_->judge());
     if (dt >= fracture_->least_transit()) due = fracture_->choose(true);

@@ -5,7 +5,6 @@ local size = talus.param("size", 0.12, "edge length of the mesh, m")
 local order = talus.param("order", 1, "of the blocks")
 local bond = talus.param("bond", "exact", "exact or spring (40E at each end of an edge)")
 local penalty = talus.param("penalty", 1.1, "of exact bonds, as multiple of the least that is stable")
-local threads = talus.param("threads", 1, "of the linear solver")
 local rock = talus.material { name = "rock", density = 2500, young = 35*u.GPa, poisson = 0.3, plane = "stress" }
 local joint = talus.joint { name = "bond", bond = bond, shear_ratio = bond == "spring" and 1/2.5 or nil, penalty = penalty,
                             stiffness = bond == "spring" and { per = "contact", value = 40*35*u.GPa } or nil }
@@ -14,7 +13,7 @@ local sim = talus.simulation {
                              order = order } },
   fix = { talus.fix { region = "beam", on = "left" } },
   loads = { talus.point_load { at = {7.9, 1}, force = {0, -5*u.kN} } },
-  probes = { tip = {7.9, 0.5} }, time = { mode = "static" }, numerics = { threads = threads },
+  probes = { tip = {7.9, 0.5} }, time = { mode = "static" },
 }
 sim:run()
 local seconds, solves = sim.totals.seconds, sim.totals.factorisations

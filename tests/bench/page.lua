@@ -181,6 +181,4 @@ out(words.intro)
 bounds()
 for _, name in ipairs { "cantilever", "hole", "hole_stress", "brazilian", "wave", "incline", "wall", "spinner", "splitting", "blast", "pile" } do section(name) end
 walls()
-out("\n## Threads\n\n%s\n\n| threads | CPU s | error |\n|---|---|---|", words.threads)
-for _, point in ipairs(cases.cantilever_threads) do out("| %s | %.3g | %s |", point.series, point.cpu, percent(point.error)) end
 sim:stop()

@@ -62,6 +62,5 @@ words.dda = { title = "Walls, beside a DDA program of Shi's kind", what = [[CPU 
 for a program in C (block LDLᵀ with minimum degree renewed each step, one thread, 2026); it is not scaled, as the kernel's time on that machine is not known. That program takes a step when states no longer flip, Talus when
 the residual of the coupled law is below 1e-8. Talus is the slower one: four times at 106 blocks, 1.3 times at 1021.]],
   measured = { ["10x10"] = 0.00092, ["20x20"] = 0.0117, ["25x40"] = 0.056 } }
-words.threads = [[Cantilever of 5290 second-order blocks. Threads are of the linear solver alone; user seconds of all threads together:]]
 
 return words

@@ -26,6 +26,7 @@ inline void add_block(Model& model, const Polyline& outline, int dofs, int regio
   shape.radius = size.norm() / 2;
   BlockState state;
   state.centroid = shape.reference_centroid;
+  if (dofs == 0) model.held_blocks.push_back(int(model.shapes.size()));
   model.shapes.push_back(shape);
   model.blocks.push_back(state);
   model.held_by.push_back(-1);

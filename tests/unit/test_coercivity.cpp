@@ -20,6 +20,7 @@ using test::scene_of;
 // Block 0 is held, so that no rigid motion is left.
 void hold_first_block(Model& model) {
   model.shapes[0].dofs = 0;
+  model.held_blocks = {0};
   model.dofs = 0;
   for (BlockShape& shape : model.shapes) {
     shape.dof_begin = model.dofs;

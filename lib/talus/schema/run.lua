@@ -84,7 +84,7 @@ return {
   {
     kind = "numerics", call = "",
     doc = "Choices of method. `numerics = talus.profile.ning2011` takes a profile as it is, "
-      .. "`numerics = { profile = \"ning2011\", threads = 2 }` changes something in it.",
+      .. "`numerics = { profile = \"ning2011\", sleeping = true }` changes something in it.",
     fields = {
       { name = "profile", type = "enum", values = { "default", "ning2011" }, default = "default",
         doc = "where the other choices come from, see Profiles" },
@@ -105,7 +105,7 @@ return {
       { name = "max_iterations", type = "integer", least = 1, most = 10000, default = 60,
         doc = "open–close iterations before a step is cut" },
       { name = "threads", type = "integer", least = 1, most = 1024, default = 1,
-        doc = "threads of the linear solver" },
+        doc = "for the linear solver. It takes one whatever this says: a second one gains less than it costs, and runs beside each other (`talus sweep`) take all there are. The results are the same to the last bit" },
       { name = "islands", type = "boolean", default = true,
         doc = "blocks that neither touch nor hang together are solved apart; false: the scene as one, for study" },
       { name = "sleeping", type = "boolean", default = false,
