@@ -18,6 +18,18 @@ struct Held {
   Vec2 gap, traction;            // m, Pa, at d = 0
 };
 
+// m, in the held directions, `seconds` along the present velocities.
+Vec2 gap_ahead(const Model& model, const SupportPoint& point, double seconds) {
+  const Fixity& fixity = model.scene.fixities[point.fixity];
+  const Pose pose = flown(model, point.block, 0);
+  return held_directions(fixity) * (fixity.moved(model.time + seconds) - pose.displacement(point.in_block) - seconds * pose.velocity_at(point.in_block));
+}
+
+// Where y is not X, as it was solved for.
+Vec2 gap_now(const Model& model, const SupportPoint& point, double ahead) {
+  return ahead == 0 || model.support_gaps.empty() ? gap_ahead(model, point, ahead) : model.support_gaps[size_t(point.number)];
+}
+
 template <int n>
 Held<n> held_at(const Model& model, const SupportPoint& point, const Pose& pose, const Scheme& scheme) {
   const Fixity& fixity = model.scene.fixities[point.fixity];
@@ -37,7 +49,8 @@ Held<n> held_at(const Model& model, const SupportPoint& point, const Pose& pose,
     h.flux = held * side.flux<n>(point.in_block);
     h.traction = held * side.traction_at(point.in_block, scheme.bond_v);
   }
-  h.gap = held * (wanted - displacement);
+  h.gap = held * (wanted - displacement) +
+          (1 - scheme.bond_end) * (gap_now(model, point, scheme.bond_ahead) - gap_ahead(model, point, scheme.bond_ahead));
   return h;
 }
 
@@ -54,12 +67,12 @@ void Supports::prepare(const Model& model, const std::vector<double>& edge_stiff
   points_.clear();
   for (const PointFixity& p : model.point_fixities)
     if (model.shapes[p.block].dofs > 0)
-      points_.push_back({p.fixity, p.block, p.in_block, Vec2::Zero(), 1, p.stiffness});
+      points_.push_back({int(points_.size()), p.fixity, p.block, p.in_block, Vec2::Zero(), 1, p.stiffness});
   for (size_t e = 0; e < model.edge_fixities.size(); ++e) {
     const EdgeFixity& edge = model.edge_fixities[e];
     if (model.shapes[edge.block].dofs == 0) continue;
     for (const GaussPoint& point : gauss_points(model.shapes[edge.block]))
-      points_.push_back({edge.fixity, edge.block, between(edge.in_block, point.at), edge.normal, edge.length * point.share,
+      points_.push_back({int(points_.size()), edge.fixity, edge.block, between(edge.in_block, point.at), edge.normal, edge.length * point.share,
                          edge_stiffness[e]});
   }
 }
@@ -84,12 +97,9 @@ void Supports::add(const Model& model, const Poses& poses, const Scheme& scheme,
 double Supports::energy(const Model& model, double ahead) const {
   double sum = 0;
   for (const SupportPoint& point : points_) {
-    const Fixity& fixity = model.scene.fixities[point.fixity];
     const Pose pose = flown(model, point.block, 0);
     const Side side = side_of(model, pose, point.block, point.normal, 1);
-    const Vec2 gap =
-        held_directions(fixity) * (fixity.moved(model.time + ahead) -
-                                   pose.displacement(point.in_block) - ahead * pose.velocity_at(point.in_block));
+    const Vec2 gap = gap_now(model, point, ahead);
     sum += point.weight * (side.traction_at(point.in_block, ahead) + point.stiffness / 2 * gap).dot(gap);
   }
   return sum;
@@ -133,13 +143,33 @@ Supports::Work Supports::work(const Model& model, const Poses& poses, const Sche
   return sum;
 }
 
-std::vector<Vec2> Supports::reactions(const Model& model, double t) const {
+std::vector<Vec2> Supports::gaps(const Model& model, double ahead) const {
+  std::vector<Vec2> gaps;
+  for (const SupportPoint& point : points_) gaps.push_back(gap_ahead(model, point, ahead));
+  return gaps;
+}
+
+std::vector<Vec2> Supports::gaps_after(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d) const {
+  std::vector<Vec2> gaps;
+  for (const SupportPoint& point : points_) {
+    gaps.push_back(gap_now(model, point, scheme.bond_ahead));
+    if (model.sleeps(point.block)) continue;
+    with_size(model.shapes[point.block].second_order(), [&](auto n) {
+      const Held<n> held = held_at<n>(model, point, poses.blocks[point.block], scheme);
+      const Vec2 mean = held.gap - scheme.bond_d * (held.displacement * of_block<n>(model.shapes[point.block], d));
+      gaps.back() = (mean - (1 - scheme.bond_end) * gaps.back()) / scheme.bond_end;
+    });
+  }
+  return gaps;
+}
+
+std::vector<Vec2> Supports::reactions(const Model& model, double t, double ahead) const {
   std::vector<Vec2> sum(model.scene.fixities.size(), Vec2::Zero());
   for (const SupportPoint& point : points_) {
     const Fixity& fixity = model.scene.fixities[point.fixity];
     const Pose pose = flown(model, point.block, 0);
-    const Vec2 gap = fixity.moved(t) - pose.displacement(point.in_block);
-    const Vec2 traction = side_of(model, pose, point.block, point.normal, 1).traction_at(point.in_block, 0);
+    const Vec2 gap = ahead == 0 ? Vec2(fixity.moved(t) - pose.displacement(point.in_block)) : gap_now(model, point, ahead);
+    const Vec2 traction = side_of(model, pose, point.block, point.normal, 1).traction_at(point.in_block, ahead);
     sum[point.fixity] += point.weight * held_directions(fixity) * (traction + point.stiffness * gap);
   }
   return sum;

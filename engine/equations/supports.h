@@ -10,6 +10,7 @@
 namespace talus {
 
 struct SupportPoint {
+  int number = 0;  // place in Model::support_gaps
   int fixity = 0, block = 0;
   Vec2 in_block = Vec2::Zero();  // from the reference centroid
   Vec2 normal = Vec2::Zero();    // outward, reference; zero for a point, which feels no {σ}n
@@ -22,7 +23,7 @@ class Supports {
   void prepare(const Model& model, const std::vector<double>& edge_stiffness);  // N/m3, per Model::edge_fixities
   void add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const;
 
-  // J/m: the potential `ahead` seconds along the present velocities.
+  // J/m: the potential `ahead` seconds along the present velocities; where that is y, of the gaps that were solved for.
   double energy(const Model& model, double ahead) const;
 
   // Of a step with the solution d that takes the blocks to `moved`. `ahead0`, `ahead1`: lead of y over X before
@@ -34,8 +35,13 @@ class Supports {
   Work work(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
             const std::vector<BlockState>& moved, double ahead0, double ahead1) const;
 
-  // N/m per fixity, on the blocks, in the model's present state with the fixities of time `t`.
-  std::vector<Vec2> reactions(const Model& model, double t) const;
+  // For Model::support_gaps: before the first step, as the blocks lie; after one with the solution d, before the blocks have moved.
+  std::vector<Vec2> gaps(const Model& model, double ahead) const;
+  std::vector<Vec2> gaps_after(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d) const;
+
+  // N/m per fixity, on the blocks: at y, `ahead` seconds along the present velocities; or where that is 0 as the blocks lie, with the fixities
+  // of time `t`.
+  std::vector<Vec2> reactions(const Model& model, double t, double ahead) const;
 
  private:
   std::vector<SupportPoint> points_;

@@ -299,6 +299,9 @@ class Model {
   std::vector<Contact> contacts;
   std::vector<PointFixity> point_fixities;
   std::vector<EdgeFixity> edge_fixities;
+  // m, in motion, of each point of a support (equations/supports.h): the gap at y that the last step was solved for. As the blocks lie, one that
+  // turns has come off by as much as the way of a step bends, for which no force answers.
+  std::vector<Vec2> support_gaps;
   std::vector<ViscousEdge> viscous_edges;
   std::vector<PointForce> point_forces;
   std::vector<EdgeForce> edge_forces;

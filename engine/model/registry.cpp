@@ -52,6 +52,7 @@ void visit_state(Model& model, StateVisitor& v) {
   v.growing("contacts", model.contacts);
   v.growing("asleep", model.asleep);
   v("sleeping_contacts", model.sleeping_contacts);
+  v.growing("support_gaps", model.support_gaps);
   v("viscous_edges", model.viscous_edges);
   v("probes", model.probes);
   v("highest", model.highest);

@@ -27,6 +27,7 @@ class Attempt {
     if (!blocks_.empty()) {
       model_.blocks = std::move(blocks_);
       model_.vertex = std::move(vertex_);
+      model_.support_gaps = std::move(support_gaps_);
     }
     ledger_ = before_;
     if (fracture_) fracture_->heal();
@@ -38,6 +39,7 @@ class Attempt {
   void keep_places() {
     blocks_ = model_.blocks;
     vertex_ = model_.vertex;
+    support_gaps_ = model_.support_gaps;
   }
   double ahead_before() const { return before_.ahead; }
   void again() {  // the same step, with the bonds that have failed in it
@@ -53,7 +55,7 @@ class Attempt {
   std::vector<Contact>& contacts_;
   Fracture* fracture_;
   std::vector<BlockState> blocks_;  // and vertices: before X was moved as the step changed, or empty
-  std::vector<Vec2> vertex_;
+  std::vector<Vec2> vertex_, support_gaps_;
   std::vector<std::pair<int, std::array<double, max_dofs>>> held_;
   bool kept_ = false;
 };

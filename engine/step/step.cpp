@@ -393,6 +393,7 @@ double Stepper::accept(std::vector<BlockState>& moved, const Scheme& scheme, con
   if (motion && bridge_motion_.any()) ledger_.numerical_flow += bridge_motion_.shift_loss(model_, scheme, d);
   const double dissipated = ledger_.friction_work + ledger_.viscous_work;
   if (motion) book_motion({model_, poses_, system_, supports_, scheme, d, moved}, ledger_);
+  if (motion && plan_.fixities && scheme.bond_ahead > 0) model_.support_gaps = supports_.gaps_after(model_, poses_, scheme, d);
   model_.blocks.swap(moved);
   for (const int b : model_.awake_blocks()) model_.place_vertices(b);
   if (plan_.contacts) {
@@ -412,7 +413,7 @@ double Stepper::accept(std::vector<BlockState>& moved, const Scheme& scheme, con
 
 std::vector<Vec2> Stepper::reactions() {
   prepare_bonds();
-  return support_reactions(model_, supports_, model_.time);
+  return support_reactions(model_, supports_, model_.time, ledger_.ahead);
 }
 
 // What the way from X to y holds is the integrator's.

@@ -33,6 +33,10 @@ void Stepper::begin_ledger() {
   ledger_ = {};
   if (plan_.dynamic) ledger_.ahead = scheme(step_size_.next(model_.time)).bond_ahead;
   for (BlockState& state : model_.blocks) state.weighed_ahead = 0;
+  if (plan_.fixities && ledger_.ahead > 0) {
+    prepare_bonds();
+    model_.support_gaps = supports_.gaps(model_, ledger_.ahead);
+  }
   const Energies now = energies();
   ledger_.start_energy = now.total;
   ledger_.start_shift = -now.numerical;
