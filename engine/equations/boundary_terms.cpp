@@ -62,7 +62,14 @@ void each_gas_load(const Model& model, const Poses& poses, const LoadVisitor& vi
 }
 
 void move_held_blocks(Model& model, double dt) {
-  for (const int b : model.held_blocks) model.blocks[b].velocity = held_velocity(model, b, dt);
+  model.held_faster.clear();
+  for (const int b : model.held_blocks) {
+    auto& velocity = model.blocks[b].velocity;
+    const auto now = held_velocity(model, b, dt);
+    auto& faster = model.held_faster.emplace_back();
+    for (size_t k = 0; k < faster.size(); ++k) faster[k] = now[k] - velocity[k];
+    velocity = now;
+  }
 }
 
 std::array<double, max_dofs> held_velocity(const Model& model, int block, double dt) {

@@ -85,7 +85,8 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     row.gap0 = gap + contact.offset + scheme.contact_v * approach;
     if (contact.lies) row.gap0 = scheme.dt * approach - contact.normal_force / contact.normal_stiffness;
     row.rounding = contact.lies ? 0 : rounding_of_gap(model, contact);
-    row.slide0 = contact.stretch + scheme.step_v * sliding;
+    row.slide0 = contact.stretch + scheme.step_v * sliding +
+                 scheme.bond_ahead * (model.faster_along(contact.i, row.shear_i) + model.faster_along(contact.j, row.shear_j));
     row.kn = contact.normal_stiffness;
     row.ks = contact.shear_stiffness;
     row.friction = stick ? std::numeric_limits<double>::infinity() : std::tan(strength.friction);

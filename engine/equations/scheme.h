@@ -6,7 +6,7 @@
 // Everything is linearised about the configuration the velocities reach at mid-step (exact rotation), and
 //   bulk and bonds act on the strain  v0 · bond_v  + d · bond_d     beyond it (bonds: see bond_end),
 //   contacts act on the gap           v0 · contact_v + d · contact_d beyond it,
-//   shear springs of contacts stretch by v0 · Δt_x + d · contact_d.
+//   shear springs of contacts stretch by v0 · Δt_x + d · contact_d, and of a held block, whose d is nought, by bond_ahead times what it gets faster.
 // Momentum: M d · inertia = forces.  docs/theory.md derives the coefficients and what they conserve.
 #include "scene/scene.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
 
 namespace talus {
 
@@ -105,6 +106,12 @@ Vec3 Model::stress(int block, const Vec2& in_block) const {
   const Vec3 initial = shape.initial_stress + quadratic.stress_x * in_block.x() + quadratic.stress_y * in_block.y();
   const Vec3 strain = state.strain + shape.bend().strain(in_block, state.bend);
   return turn_stress(Rotation::of(state.angle), initial + elasticity(material(block)) * strain);
+}
+
+double Model::faster_along(int block, const std::array<double, max_dofs>& row) const {
+  if (held_faster.empty() || shapes[block].dofs > 0) return 0;
+  const auto& faster = held_faster[size_t(std::lower_bound(held_blocks.begin(), held_blocks.end(), block) - held_blocks.begin())];
+  return std::inner_product(faster.begin(), faster.end(), row.begin(), 0.0);
 }
 
 void Model::place_vertices() {
