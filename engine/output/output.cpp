@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "output/clock.h"
+#include "step/clock.h"
 #include "output/curves.h"
 #include "output/files.h"
 #include "output/history.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "output/clock.h"
+#include "step/clock.h"
 #include "output/output.h"
 #include "output/text.h"
 

@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "output/clock.h"
+#include "step/clock.h"
 #include "script/lua_error.h"
 #include "script/saved_view.h"
 #include "script/simulation_view.h"

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <string>
 
-#include "output/clock.h"
+#include "step/clock.h"
 #include "script/lua_error.h"
 
 namespace talus {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "output/clock.h"
+#include "step/clock.h"
 #include "output/output.h"
 #include "output/state_file.h"
 #include "script/laws.h"

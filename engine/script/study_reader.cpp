@@ -5,7 +5,7 @@
 #include <memory>
 #include <sstream>
 
-#include "output/clock.h"
+#include "step/clock.h"
 #include "output/text.h"
 #include "script/laws.h"
 #include "script/lua_error.h"

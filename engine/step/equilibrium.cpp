@@ -175,7 +175,7 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
     if (search.jumped && !search.may_jump) return false;
     const Scheme scheme = Scheme::equilibrium();
     if (plan_.contacts) {
-      PartTimer timer(totals_, "contact search");
+      StepTimer timer(totals_, "contact search");
       search_.update(model_, 0);
     }
     bridges_.take(softening.share());

@@ -1,19 +1,26 @@
 #pragma once
-// CPU time of a part of the step, added to the run's totals.
-#include <ctime>
+// CPU time by part, added to the run's totals.
 #include <string>
 
+#include "step/clock.h"
 #include "step/simulation.h"
 
 namespace talus {
 
-inline double cpu_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
+class StepTimer {  // of a part of a step
+ public:
+  StepTimer(RunTotals& totals, const char* part) : totals_(totals), part_(part), start_(wall_seconds()) {}
+  ~StepTimer() { totals_.add_of_step(part_, wall_seconds() - start_); }
+  StepTimer(const StepTimer&) = delete;
+  StepTimer& operator=(const StepTimer&) = delete;
 
-class PartTimer {
+ private:
+  RunTotals& totals_;
+  const char* part_;
+  double start_;
+};
+
+class PartTimer {  // of what is no step
  public:
   PartTimer(RunTotals& totals, const char* part) : totals_(totals), part_(part), start_(cpu_seconds()) {}
   ~PartTimer() { totals_.seconds(part_) += cpu_seconds() - start_; }

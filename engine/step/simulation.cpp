@@ -16,9 +16,9 @@
 namespace talus {
 
 void visit_state(RunTotals& totals, StateVisitor& v) {
-  // parts: CPU time is the process's.
+  // parts, of_steps: CPU time is the process's.
   [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, sweeps, splittings, pivots, steps_at_rest, steps_by_sweeps,
-                          islands, failures, inaccurate, largest_iterations, largest_utilisation, largest_residual, parts] = totals;
+                          islands, failures, inaccurate, largest_iterations, largest_utilisation, largest_residual, parts, of_steps] = totals;
   v("steps", steps);
   v("iterations", iterations);
   v("cuts", cuts);
@@ -62,6 +62,26 @@ double& RunTotals::seconds(const std::string& part) {
   return parts.back().seconds;
 }
 
+void RunTotals::add_of_step(const char* part, double wall) {
+  for (StepPart& own : of_steps.parts)
+    if (own.name == part) {
+      own.wall += wall;
+      return;
+    }
+  of_steps.parts.push_back({part, wall});
+}
+
+void RunTotals::end_step(bool book) {
+  constexpr double enough = 1e-3;  // s
+  const double wall = wall_seconds() - of_steps.wall;
+  if (!book && wall < enough) return;
+  const double cpu = cpu_seconds() - of_steps.cpu;
+  for (StepPart& part : of_steps.parts) seconds(part.name) += part.wall * (wall > 0 ? cpu / wall : 1);
+  of_steps.parts.clear();
+  of_steps.cpu += cpu;
+  of_steps.wall += wall;
+}
+
 Simulation::Simulation(Scene scene) {
   const double start = cpu_seconds();
   model = build(std::move(scene));
@@ -73,6 +93,7 @@ Simulation::Simulation(Scene scene) {
   if (plan.step_error) half_steps_ = std::make_unique<HalfSteps>(model, plan, *stepper_, totals, ledger);
   stepper_->begin_ledger();
   totals.seconds("build") = cpu_seconds() - start;
+  totals.end_step(true);
 }
 
 Simulation::~Simulation() = default;
@@ -113,6 +134,7 @@ void Simulation::take_step() {
   last.time = model.time;
   if (plan.dynamic) keep_peaks(model);
   last.closed_contacts = stepper_->closed_contacts();
+  totals.end_step(totals.steps == 1 || finished());
 }
 
 // Load steps are even parts of t_end; bonds that fail, and increments cut short because one will, come between.

@@ -58,6 +58,13 @@ struct RunTotals {
   struct Part { std::string name; double seconds = 0; };  // CPU seconds
   std::vector<Part> parts;
   double& seconds(const std::string& part);
+
+  // Of steps: measured by the wall clock, which is read in a twentieth of the time that the CPU's takes, as ten readings of that one are two
+  // thirds of the step of a single block. It is shared out as CPU time where so much of it has come together that one reading does not matter.
+  struct StepPart { const char* name; double wall; };
+  struct { std::vector<StepPart> parts; double cpu = 0, wall = 0; } of_steps;  // s, since those readings
+  void add_of_step(const char* part, double wall);
+  void end_step(bool book);  // books it in any case, or where enough has come together
 };
 
 void visit_state(StepReport& report, StateVisitor& visitor);  // the registry, model/registry.h

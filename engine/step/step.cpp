@@ -172,7 +172,7 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     // 2. Candidate pairs of vertices and edges, with the state of those that go on.
     if (fracture_) fracture_->recall_tractions();
     if (plan_.contacts) {
-      PartTimer timer(totals_, "contact search");
+      StepTimer timer(totals_, "contact search");
       search_.update(model_, scheme.dt, seen, fracture_ && !fracture_->events().empty());
     }
     if (fracture_) {
@@ -255,7 +255,7 @@ void Stepper::prepare_bonds() {
 }
 
 void Stepper::assemble(const Scheme& scheme, bool stick) {
-  PartTimer timer(totals_, "assembly");
+  StepTimer timer(totals_, "assembly");
   prepare_bonds();
   std::vector<std::pair<int, int>> pairs;
   for (const Joint& joint : model_.joints)
@@ -287,7 +287,7 @@ void Stepper::assemble(const Scheme& scheme, bool stick) {
 }
 
 IslandResult Stepper::solve(double dt, Vector& d) {
-  PartTimer timer(totals_, "open-close and solve");
+  StepTimer timer(totals_, "open-close and solve");
   const Numerics& numerics = model_.scene.numerics;
   const bool motion = dt > 0;
   if (!motion && on_equilibrium_solve) on_equilibrium_solve();
@@ -309,13 +309,13 @@ IslandResult Stepper::solve(double dt, Vector& d) {
 }
 
 bool Stepper::overlooks(double dt, double displacement, const Vector& d) {
-  PartTimer timer(totals_, "contact search");
+  StepTimer timer(totals_, "contact search");
   return overlooked(model_, search_, contacts_, d, moved_, dt, displacement);
 }
 
 // Whether blocks turn in the step by so much that the work of their contacts is not what it was solved with.
 bool Stepper::turns_gain(const Scheme& scheme, const Course& course) {
-  PartTimer timer(totals_, "update");
+  StepTimer timer(totals_, "update");
   const double work = work_of_turning(model_, contacts_, scheme, course.d, moved_);
   return work > most_turning * ledger_.scale() && work > most_turning * energies().stored();
 }
@@ -374,14 +374,14 @@ bool Stepper::all_still() const {
 }
 
 std::optional<ContactBooking> Stepper::contacts_at_start() {
-  PartTimer timer(totals_, "update");
+  StepTimer timer(totals_, "update");
   if (all_still()) return {};
   return ContactBooking(model_);
 }
 
 double Stepper::accept(std::vector<BlockState>& moved, const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,
                        const std::optional<Energies>& start) {
-  PartTimer timer(totals_, "update");
+  StepTimer timer(totals_, "update");
   const bool motion = scheme.step_v > 0;
   if (motion && !booking) {
     ledger_.ahead = scheme.bond_ahead;

@@ -46,7 +46,7 @@ void Stepper::left() {
 // Whether bonds fail where the step leads and it is to be taken again. Not in a step shorter than a wave takes through a block, in which a
 // bond cannot feel yet that another has failed: those that are due then fail at the start of the next. The states are only lent to the model.
 bool Stepper::breaks(double dt, StepReport& report) {
-  PartTimer timer(totals_, "fracture");
+  StepTimer timer(totals_, "fracture");
   judged_astray_ = true;  // until the step is accepted
   std::vector<int> due;
   {
@@ -63,7 +63,7 @@ bool Stepper::breaks(double dt, StepReport& report) {
 
 // Bonds where the blocks are.
 void Stepper::judge_again() {
-  PartTimer timer(totals_, "fracture");
+  StepTimer timer(totals_, "fracture");
   joints_.store_tractions(model_);
   fracture_->judge();
   judged_astray_ = false;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "output/clock.h"
+#include "step/clock.h"
 #include "output/text.h"
 
 namespace talus {

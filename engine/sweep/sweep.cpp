@@ -8,7 +8,7 @@
 #include <set>
 #include <thread>
 
-#include "output/clock.h"
+#include "step/clock.h"
 #include "output/output.h"
 #include "output/progress.h"
 #include "scene/error.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "output/clock.h"
+#include "step/clock.h"
 #include "output/progress.h"
 
 namespace talus {
