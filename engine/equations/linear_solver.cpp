@@ -34,7 +34,7 @@ struct CholmodLibrary {
                              : __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")        ? "Haswell"
                                                                                                       : nullptr;
     const Told core_type("OPENBLAS_CORETYPE", core);
-    const Told threads("OPENBLAS_NUM_THREADS", "1");  // the others would be started, and wait for work for some 0.05 s of CPU
+    const Told threads("OPENBLAS_NUM_THREADS", "1");  // the others would be started, and wait for work for some 0.1 s of CPU
     handle = dlopen(name().c_str(), RTLD_NOW | RTLD_LOCAL);
     find("cholmod_start", start);
     find("cholmod_finish", finish);
