@@ -10,6 +10,7 @@
 #include "contact/narrow_phase.h"
 #include "equations/contact_terms.h"
 #include "model/groups.h"
+#include "model/rates.h"
 
 namespace talus {
 
@@ -355,8 +356,7 @@ void ContactSearch::find_outlines(const Model& model) {
 
 // Whether the last search found all there is: nothing moves, and places and step are the same to the last bit, and the same blocks sleep.
 bool ContactSearch::unmoved(const Model& model, double dt) {
-  const auto moves = [&model](int b) { return std::ranges::any_of(model.blocks[b].velocity, [](double rate) { return rate != 0; }); };
-  if (std::ranges::any_of(model.awake_blocks(), moves)) {
+  if (std::ranges::any_of(model.awake_blocks(), [&model](int b) { return !stands_still(model.blocks[b].velocity); })) {
     forget_last();
     return false;
   }

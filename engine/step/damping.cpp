@@ -1,8 +1,8 @@
 #include "step/damping.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "model/rates.h"
 #include "step/energies.h"
 
 namespace talus {
@@ -15,8 +15,7 @@ std::vector<double> kept_velocities(const Model& model, const std::vector<BlockS
   if (!numerics.damping) return kept;
   for (const int b : model.awake_blocks()) {
     const auto& v = moved[b].velocity;
-    const bool stands = std::all_of(v.begin(), v.end(), [](double rate) { return rate == 0; });
-    if (model.shapes[b].dofs > 0 && !stands) kept[b] *= numerics.damping(std::hypot(v[0], v[1]), dt);
+    if (model.shapes[b].dofs > 0 && !stands_still(v)) kept[b] *= numerics.damping(std::hypot(v[0], v[1]), dt);
   }
   return kept;
 }

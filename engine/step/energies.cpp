@@ -5,6 +5,7 @@
 
 #include "equations/block_terms.h"
 #include "equations/bridge_terms.h"
+#include "model/rates.h"
 
 namespace talus {
 
@@ -47,7 +48,7 @@ double kinetic_energy(const Model& model, int b, double ahead) {
   const BlockShape& shape = model.shapes[b];
   const BlockState& state = model.blocks[b];
   const auto& v = state.velocity;
-  if (shape.dofs == 0 || std::all_of(v.begin(), v.end(), [](double rate) { return rate == 0; })) return 0;
+  if (shape.dofs == 0 || stands_still(v)) return 0;
   const double at_reference = with_size(shape.second_order(), [&](auto n) {
     const auto rates = Eigen::Map<const ColumnOf<n>>(v.data());
     return rates.dot(mass_matrix_of<n>(model, b) * rates) / 2;

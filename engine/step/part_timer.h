@@ -1,18 +1,17 @@
 #pragma once
 // CPU time by part, added to the run's totals.
-#include <string>
-
 #include "step/clock.h"
 #include "step/simulation.h"
 
 namespace talus {
 
-class StepTimer {  // of a part of a step
+template <auto clock, auto book>
+class Timer {  // of a scope
  public:
-  StepTimer(RunTotals& totals, const char* part) : totals_(totals), part_(part), start_(wall_seconds()) {}
-  ~StepTimer() { totals_.add_of_step(part_, wall_seconds() - start_); }
-  StepTimer(const StepTimer&) = delete;
-  StepTimer& operator=(const StepTimer&) = delete;
+  Timer(RunTotals& totals, const char* part) : totals_(totals), part_(part), start_(clock()) {}
+  ~Timer() { book(totals_, part_, clock() - start_); }
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
 
  private:
   RunTotals& totals_;
@@ -20,17 +19,10 @@ class StepTimer {  // of a part of a step
   double start_;
 };
 
-class PartTimer {  // of what is no step
- public:
-  PartTimer(RunTotals& totals, const char* part) : totals_(totals), part_(part), start_(cpu_seconds()) {}
-  ~PartTimer() { totals_.seconds(part_) += cpu_seconds() - start_; }
-  PartTimer(const PartTimer&) = delete;
-  PartTimer& operator=(const PartTimer&) = delete;
+inline void book_of_step(RunTotals& totals, const char* part, double wall) { totals.add_of_step(part, wall); }
+inline void book_cpu(RunTotals& totals, const char* part, double cpu) { totals.seconds(part) += cpu; }
 
- private:
-  RunTotals& totals_;
-  const char* part_;
-  double start_;
-};
+using StepTimer = Timer<wall_seconds, book_of_step>;  // of a part of a step
+using PartTimer = Timer<cpu_seconds, book_cpu>;       // of what is no step
 
 }  // namespace talus

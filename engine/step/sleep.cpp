@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "equations/boundary_terms.h"
+#include "model/rates.h"
 
 namespace talus {
 
@@ -25,10 +26,6 @@ std::vector<double> read_inputs(const Model& model, const Scheme& scheme) {
     values.insert(values.end(), {wanted.x(), wanted.y()});
   }
   return values;
-}
-
-bool stands_still(const std::array<double, max_dofs>& velocity) {
-  return std::all_of(velocity.begin(), velocity.end(), [](double rate) { return rate == 0; });
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
 #include "equations/viscous_terms.h"
+#include "model/rates.h"
 #include "step/attempt.h"
 #include "step/damping.h"
 #include "step/overlooked.h"
@@ -366,11 +367,7 @@ void Stepper::count(const IslandResult& result) {
 // Whether nothing has moved in the step, and nothing did before it.
 bool Stepper::all_still() const {
   if (!islands_.all_rest()) return false;
-  for (const int b : model_.held_blocks) {
-    const auto& v = model_.blocks[b].velocity;
-    if (std::any_of(v.begin(), v.end(), [](double rate) { return rate != 0; })) return false;
-  }
-  return true;
+  return std::ranges::all_of(model_.held_blocks, [this](int b) { return stands_still(model_.blocks[b].velocity); });
 }
 
 std::optional<ContactBooking> Stepper::contacts_at_start() {
