@@ -23,11 +23,6 @@ Vec2 edge_normal(const Model& model, const Contact& c) {
   return -perp(model.vertex[begin + model.next_vertex(c.j, c.edge)] - model.vertex[begin + c.edge]).normalized();
 }
 
-bool stands_still(const Model& model, int block) {
-  const auto& v = model.blocks[block].velocity;
-  return std::all_of(v.begin(), v.begin() + model.shapes[block].rate_count(), [](double rate) { return rate == 0; });
-}
-
 std::int64_t pair_key(int a, int b) { return (std::int64_t(std::min(a, b)) << 32) | std::max(a, b); }
 
 void carry(const Contact& from, Contact& to) {
@@ -36,6 +31,7 @@ void carry(const Contact& from, Contact& to) {
   to.stretch = from.stretch - from.shear_force / from.shear_stiffness + from.shear_force / to.shear_stiffness;
   to.slip = from.slip;
   to.offset = from.offset;
+  to.lies = from.lies;
   to.normal_force = from.normal_force;
   to.shear_force = from.shear_force;
   to.may_part = from.may_part;
@@ -356,7 +352,7 @@ void ContactSearch::find_outlines(const Model& model) {
 
 // Whether the last search found all there is: nothing moves, and places and step are the same to the last bit, and the same blocks sleep.
 bool ContactSearch::unmoved(const Model& model, double dt) {
-  if (std::ranges::any_of(model.awake_blocks(), [&model](int b) { return !stands_still(model.blocks[b].velocity); })) {
+  if (std::ranges::any_of(model.awake_blocks(), [&model](int b) { return !stands_still(model, b); })) {
     forget_last();
     return false;
   }

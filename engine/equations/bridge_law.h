@@ -24,7 +24,7 @@ class BridgeLaws {
       : property_(model.scene.properties[joint.property]), intact_(model.strength(joint)), aslant_(std::cos(joint.path_turn)) {
     if (joint.mode != FailureMode::tension || !is_tracked(model, joint)) return;
     const double whole = left(0, 0).cohesion - property_.residual.cohesion;
-    if (whole > 0) held_ = std::min(1.0, std::hypot(joint.failed_with.normal, joint.failed_with.shear) / whole);
+    if (whole > 0) held_ = std::min(1.0, std::hypot(joint.left_with.normal, joint.left_with.shear) / whole);
   }
 
   double tension(double slip, double opening) const {

@@ -76,8 +76,9 @@ void BridgeMotion::begin(const Model& model) {
 void BridgeMotion::add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) {
   factor_ = scheme.contact_d;
   Scheme begin = scheme, end = scheme;
-  begin.bond_end = 0;
+  begin.bond_end = begin.bond_d = 0;
   end.bond_end = 1;
+  end.bond_d = factor_;
   const Ends ends(model, scheme.dt);
   for (Point& point : points_) {
     const Joint& joint = model.joints[point.joint];

@@ -28,7 +28,8 @@ double rounding_of_gap(const Model& model, const Contact& contact) {
 }
 
 // The foot of a vertex on a first-order block's edge is a material point; an edge of second order stays straight between its
-// corners, and takes its foot along as they go.
+// corners, and takes its foot along as they go. Both blocks feel shear at the vertex, be it a little off the edge: action and reaction on one line keep
+// angular momentum, and what turns as one does not slide.
 template <int n>
 void ContactTerms::set_rows(const Model& model, const Contact& contact, const Poses& poses, const Vec2& at, const Vec2& foot,
                             const Vec2& span, const Vec2& along, ContactRows& row) {
@@ -39,7 +40,7 @@ void ContactTerms::set_rows(const Model& model, const Contact& contact, const Po
     set(row.normal_i, pose_i.row(at, normal));
     set(row.shear_i, pose_i.row(at, along));
     set(row.normal_j, pose_j.row(foot, -normal));
-    set(row.shear_j, pose_j.row(foot, -along));
+    set(row.shear_j, pose_j.row(at, -along));
   } else {
     const auto set = [](Row& to, const ColumnOf<n>& from) { std::copy_n(from.data(), std::size_t(n), to.begin()); };
     const int next = model.next_vertex(contact.j, contact.edge);
@@ -49,11 +50,13 @@ void ContactTerms::set_rows(const Model& model, const Contact& contact, const Po
       set(*of_j, (on_edge - 1) * vertex_row<n>(model, poses, contact.j, contact.edge, direction) -
                      on_edge * vertex_row<n>(model, poses, contact.j, next, direction));
     }
+    const ColumnOf<n> turns = (vertex_row<n>(model, poses, contact.j, contact.edge, normal) - vertex_row<n>(model, poses, contact.j, next, normal)) / span.norm();
+    for (int k = 0; k < n; ++k) row.shear_j[size_t(k)] -= normal.dot(at - foot) * turns[k];
   }
 }
 
 void ContactTerms::linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick,
-                             const std::vector<double>& nearness) {
+                             const std::vector<double>& nearness, double pressed) {
   factor_ = scheme.contact_d;
   rows_.resize(model.contacts.size() - size_t(model.sleeping_contacts));
   for (size_t k = 0; k < rows_.size(); ++k) {
@@ -92,7 +95,8 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     row.friction = stick ? std::numeric_limits<double>::infinity() : std::tan(strength.friction);
     // Cohesion belongs to faces that were pressed together when the step began: a law in which it came and went with the
     // force that depends on it has no solution at a wedge.
-    row.cohesion = contact.normal_force <= 0 ? 0 : strength.cohesion * contact.length;
+    const double cohesion = strength.cohesion * contact.length;
+    row.cohesion = contact.normal_force > pressed * cohesion ? cohesion : 0;
     const double touching = near_part * std::min(shape_i.length, shape_j.length);
     const double pushed = touching + 0.5 * scheme.contact_v * std::hypot(approach, sliding);
     // A joint that does not slide does not let go of its shear when it opens either: that would be a law with jumps, which among

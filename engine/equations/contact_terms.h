@@ -63,11 +63,12 @@ inline double friction_limit(const ContactScalars& row, double normal) {
 
 class ContactTerms {
  public:
+  static constexpr double least_pressed = 1e-6;  // of cohesion: less is no load but what the solution leaves
   // Of what is awake. `stick`: no joint that touches slides, open or not (the settled start). Near is what the velocities bring to within `nearness` times what a
   // contact's neighbours may push it in the step, taken as half of its own relative motion and near_part of the smaller
-  // block's √area. Per block, the larger counts; empty: 1.
+  // block's √area. Per block, the larger counts; empty: 1. Cohesion counts where the normal force is more than `pressed` of it.
   void linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick,
-                 const std::vector<double>& nearness);
+                 const std::vector<double>& nearness, double pressed = least_pressed);
   // Becomes the listed rows of `whole`, between the blocks that `place` numbers, whose unknowns begin at `dof_begin`.
   void take_part(const ContactTerms& whole, std::span<const int> rows, const std::vector<int>& place,
                  const std::vector<int>& dof_begin);

@@ -1,5 +1,8 @@
 #include "equations/joint_terms.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "equations/bond_stiffness.h"
 #include "equations/jump.h"
 #include "equations/side.h"
@@ -18,6 +21,34 @@ std::array<double, 2> spring_stiffness(const Model& model, const Joint& joint) {
                             ? property.stiffness / (joint.length / 2)  // N/m of one end
                             : model.stiffness_per_area(property, joint.a, joint.b);
   return {normal, normal * property.shear_ratio};
+}
+
+template <int n>
+ColumnOf<n> solution_of(const Model& model, int block, const Vector& d) {
+  ColumnOf<n> own = ColumnOf<n>::Zero();
+  const BlockShape& shape = model.shapes[block];
+  own.head(shape.dofs) = d.segment(shape.dof_begin, shape.dofs);
+  return own;
+}
+
+bool is_intact(const Model& model, const Joint& joint) {
+  return joint.state == JointState::intact && !model.sleeps(joint.a) && !model.sleeps(joint.b);
+}
+
+// J/m, of what may stay wrong in bonds, of the kinetic energy that a step begins with: a tenth of what a step may add unexplained.
+constexpr double allowed_energy = 1e-7;
+
+double kinetic(const Model& model, int block) {  // J/m, but for strains
+  const auto& v = model.blocks[block].velocity;
+  const BlockShape& shape = model.shapes[block];
+  return model.mass(block) / 2 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] * (shape.xx + shape.yy) / (shape.area * shape.area));
+}
+
+double kinetic_of_joints(const Model& model) {
+  double sum = 0;  // a block counts with each of its bonds: an order of magnitude is enough
+  for (const Joint& joint : model.joints)
+    if (is_intact(model, joint)) sum += (kinetic(model, joint.a) + kinetic(model, joint.b)) / 4;
+  return sum;
 }
 
 }  // namespace
@@ -79,7 +110,8 @@ template <int size>
   const Jump<size> jump(model, ends, joint, scheme);
   MatrixOf<size> kaa = MatrixOf<size>::Zero(), kbb = kaa, kab = kaa;
   ColumnOf<size> fa = ColumnOf<size>::Zero(), fb = fa;
-  for (const JointPoint& point : joint.points) {
+  for (int k = 0; k < int(joint.points.size()); ++k) {
+    const JointPoint& point = joint.points[size_t(k)];
     const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at);
     if (varies && exact) {
       sa = a.flux<size>(in_a);
@@ -89,7 +121,7 @@ template <int size>
     // One point for both: action and reaction on one line keep angular momentum.
     const Vec2 at = (a.pose.place<size>(in_a) + b.pose.place<size>(in_b)) / 2;
     const RowsOf<size> ta = a.pose.rows<size>(in_a, at), tb = b.pose.rows<size>(in_b, at);
-    const Vec2 gap = jump.at(in_a, in_b);
+    const Vec2 gap = jump.at(in_a, in_b) + missing(j, k);
     const Vec2 traction = flux + stiffness * gap;
     const double w = point.weight;
     fa += w * (ta.transpose() * traction - sa.transpose() * gap);
@@ -108,6 +140,110 @@ template <int size>
   if (shape_a.dofs) system.matrix.add(slots_[j].aa, false, kaa);
   if (shape_b.dofs) system.matrix.add(slots_[j].bb, false, kbb);
   if (shape_a.dofs && shape_b.dofs) system.matrix.add(slots_[j].ab, slots_[j].ab.row != joint.a, kab);
+}
+
+// A centroid `apart` from the other that turns by φ instead of φ₀ in the step is off by (φ² - φ₀²)/2 of it.
+bool JointTerms::may_disagree(const Model& model, const Scheme& scheme, const Vector& d) const {
+  double energy = 0;
+  for (size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    if (!is_intact(model, joint)) continue;
+    const auto change = [&](int block) {
+      const BlockShape& shape = model.shapes[block];
+      return shape.dofs > 0 ? scheme.move_d * d[shape.dof_begin + 2] / shape.length : 0;
+    };
+    const double before = spin_of(model, joint) * scheme.dt, faster = (change(joint.a) + change(joint.b)) / 2;
+    const double apart = (model.blocks[joint.b].centroid - model.blocks[joint.a].centroid).norm();
+    const double off = (std::abs(before) + std::abs(faster) / 2) * std::abs(faster) * apart;
+    energy += std::max(stiffness_[j][0], stiffness_[j][1]) * joint.length * off * off / 2;
+  }
+  return energy > 0 && energy > allowed_energy * kinetic_of_joints(model);
+}
+
+bool JointTerms::agrees(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d, const std::vector<BlockState>& moved) {
+  missing_.resize(model.joints.size(), {Vec2(0, 0), Vec2(0, 0), Vec2(0, 0)});
+  const Ends ends(model, scheme.dt);
+  double energy = 0;
+  for (size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    if (!is_intact(model, joint)) continue;
+    const std::array after = {flown(model.shapes[joint.a], moved[joint.a], 0), flown(model.shapes[joint.b], moved[joint.b], 0)};
+    energy += with_size(touches_second_order(joint), [&](auto n) { return find_missing<n>(model, poses, ends, scheme, int(j), d, after); });
+  }
+  return energy <= allowed_energy * kinetic_of_joints(model);
+}
+
+// J/m, of the difference from what it was.
+template <int size>
+double JointTerms::find_missing(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int j, const Vector& d,
+                                const std::array<Pose, 2>& after) {
+  const Joint& joint = model.joints[j];
+  const Pose &a = poses.blocks[joint.a], &b = poses.blocks[joint.b];
+  const ColumnOf<size> d_a = solution_of<size>(model, joint.a, d), d_b = solution_of<size>(model, joint.b, d);
+  const Jump<size> jump(model, ends, joint, scheme);
+  double energy = 0;
+  for (int k = 0; k < int(joint.points.size()); ++k) {
+    const JointPoint& point = joint.points[size_t(k)];
+    const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at), at = (a.place<size>(in_a) + b.place<size>(in_b)) / 2;
+    const Vec2 linear = jump.at(in_a, in_b) + scheme.bond_d * (b.rows<size>(in_b, at) * d_b - a.rows<size>(in_a, at) * d_a);
+    const Vec2 missing = jump.led_to(after[0], in_a, after[1], in_b) - linear;
+    energy += point.weight * std::max(stiffness_[size_t(j)][0], stiffness_[size_t(j)][1]) * (missing - this->missing(j, k)).squaredNorm() / 2;
+    missing_[size_t(j)][size_t(k)] = missing;
+  }
+  return energy;
+}
+
+double JointTerms::loss_of_turning(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
+                                   const std::vector<BlockState>& moved) const {
+  constexpr double least = 1e-3;  // rad in the step: goes with its sixth power, 1e-18 E for what turns by less
+  const auto turns = [&](const Joint& joint) {
+    return is_intact(model, joint) && (!missing_.empty() || std::abs(spin_of(model, joint)) * scheme.dt > least);
+  };
+  if (std::ranges::none_of(model.joints, turns)) return 0;
+  const Ends ends(model, scheme.dt);
+  double sum = 0;
+  for (size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    if (!turns(joint)) continue;
+    const std::array after = {flown(model.shapes[joint.a], moved[joint.a], 0), flown(model.shapes[joint.b], moved[joint.b], 0)};
+    sum += with_size(touches_second_order(joint), [&](auto n) { return loss_of_bond<n>(model, poses, ends, scheme, int(j), d, after); });
+  }
+  return sum;
+}
+
+// With the bond's energy U(S, g) = S·g + g·kg/2 of flux and jump, the bar for the middle of X, and m for what the step was solved with, its work on the rows' step less
+// what it stores is B(m, (ΔS, T ΔX)) - B(X̄, (ΔS, Δg)), B the form of U. The matrix has B(T w, (ΔS, T ΔX)) of it, as if jumps changed by the rows.
+template <int size>
+double JointTerms::loss_of_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int j, const Vector& d,
+                                const std::array<Pose, 2>& after) const {
+  const Joint& joint = model.joints[j];
+  const Side a = side_of<size>(model, poses.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
+  const Side b = side_of<size>(model, poses.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
+  const bool exact = joint.kind == BondKind::exact;
+  const Vec2 n = turned_normal(joint, a.pose, b.pose);
+  const auto [kn, ks] = stiffness_[j];
+  const Mat2 stiffness = kn * n * n.transpose() + ks * perp(n) * perp(n).transpose();
+  const ColumnOf<size> d_a = solution_of<size>(model, joint.a, d), d_b = solution_of<size>(model, joint.b, d), v_a = a.pose.rates<size>(), v_b = b.pose.rates<size>();
+  const ColumnOf<size> step_a = scheme.step_v * v_a + scheme.move_d * d_a, step_b = scheme.step_v * v_b + scheme.move_d * d_b;
+  const double w_d = scheme.bond_d - scheme.move_d / 2;
+  const Jump<size> jump(model, ends, joint, scheme);
+  double sum = 0;
+  for (int k = 0; k < int(joint.points.size()); ++k) {
+    const JointPoint& point = joint.points[size_t(k)];
+    const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at);
+    const Vec2 at = (a.pose.place<size>(in_a) + b.pose.place<size>(in_b)) / 2;
+    const RowsOf<size> ta = a.pose.rows<size>(in_a, at), tb = b.pose.rows<size>(in_b, at);
+    const Vec2 rows_step = tb * step_b - ta * step_a, rows_w = scheme.bond_v * (tb * v_b - ta * v_a) + w_d * (tb * d_b - ta * d_a);
+    const Vec2 solved = jump.at(in_a, in_b) + missing(j, k) + scheme.bond_d * (tb * d_b - ta * d_a);
+    const Vec2 before = jump.before(in_a, in_b), now = jump.after(after[0], in_a, after[1], in_b), mean = (before + now) / 2;
+    Vec2 flux_step = Vec2::Zero(), flux = flux_step;
+    if (exact) {
+      flux_step = a.flux<size>(in_a) * step_a + b.flux<size>(in_b) * step_b;
+      flux = mean_flux(a, in_a, b, in_b, -scheme.mid) + flux_step / 2;
+    }
+    sum += point.weight * ((solved - mean - rows_w).dot(flux_step + stiffness * rows_step) - (now - before - rows_step).dot(flux + stiffness * mean));
+  }
+  return sum;
 }
 
 double JointTerms::energy(const Model& model, double ahead) const {

@@ -29,7 +29,7 @@ Pose flown(const BlockShape& shape, const BlockState& state, double seconds) {
   Pose pose;
   pose.shift = state.shift + seconds * Vec2(v[0], v[1]);
   pose.centroid = shape.reference_centroid + pose.shift;
-  pose.rotation = Rotation::of(state.angle + per_length * v[2]);
+  pose.rotation = Rotation::of(state.angle + shape.turn(per_length * v[2]));
   pose.strain = state.strain + per_length * Vec3(v[3], v[4], v[5]);
   pose.length = shape.length;
   std::copy_n(v.begin(), first_order_dofs, pose.velocity.begin());

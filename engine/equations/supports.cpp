@@ -7,6 +7,9 @@ namespace talus {
 
 namespace {
 
+// E, of the block that is held: far stiffer than it is, far from the limits of the arithmetic.
+constexpr double point_stiffness = 1e4;
+
 Mat2 held_directions(const Fixity& fixity) {
   return Vec2(fixity.held[0], fixity.held[1]).asDiagonal();
 }
@@ -67,7 +70,7 @@ void Supports::prepare(const Model& model, const std::vector<double>& edge_stiff
   points_.clear();
   for (const PointFixity& p : model.point_fixities)
     if (model.shapes[p.block].dofs > 0)
-      points_.push_back({int(points_.size()), p.fixity, p.block, p.in_block, Vec2::Zero(), 1, p.stiffness});
+      points_.push_back({int(points_.size()), p.fixity, p.block, p.in_block, Vec2::Zero(), 1, point_stiffness * model.material(p.block).young});
   for (size_t e = 0; e < model.edge_fixities.size(); ++e) {
     const EdgeFixity& edge = model.edge_fixities[e];
     if (model.shapes[edge.block].dofs == 0) continue;

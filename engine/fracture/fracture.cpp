@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "equations/bridge_terms.h"
 #include "fracture/cracks.h"
@@ -33,15 +34,20 @@ Fracture::Fracture(Model& model) : model_(model), at_node_(model.nodes.position.
     if (!joint.bonded || !model.scene.properties[joint.property].breaks) continue;
     breakable_.push_back(int(j));
     for (const int node : joint.node) at_node_[node].push_back(int(j));
-    for (const int block : {joint.a, joint.b}) {
-      const Material& rock = model.material(block);
-      const double transit = model.shapes[block].length * std::sqrt(rock.density / elasticity(rock)(0, 0));
-      if (breakable_.size() == 1 || transit < least_transit_) least_transit_ = transit;
-    }
   }
   if (std::any_of(breakable_.begin(), breakable_.end(), [&](int j) { return is_tracked(model, model.joints[j]); }))
     tracking_.emplace(model, at_node_);
   restored();
+}
+
+double Fracture::least_transit() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const int j : breakable_)
+    for (const int block : {model_.joints[j].a, model_.joints[j].b}) {
+      const Material& rock = model_.material(block);
+      least = std::min(least, model_.shapes[block].length * std::sqrt(rock.density / elasticity(rock)(0, 0)));
+    }
+  return least;
 }
 
 double Fracture::judge() {
@@ -92,12 +98,14 @@ std::vector<int> Fracture::first_of_those_due(bool motion) const {
   return due;
 }
 
-void Fracture::fail(const std::vector<int>& joints, double time) {
+void Fracture::fail(const std::vector<int>& joints, double time, const std::vector<BondTraction>& judged) {
   if (joints.empty()) return;
   const std::vector<int> crack_at_node = cracks_at_nodes(model_);
-  for (const int j : joints) {
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const int j = joints[k];
     Joint& joint = model_.joints[j];
-    joint.failed_with = mean_traction(joint);
+    joint.left_with = mean_traction(joint);
+    joint.failed_with = judged.empty() ? joint.left_with : judged[k];
     joint.mode = joint.path_turn != 0 ? FailureMode::tension : failure_mode(model_, joint, joint.failed_with);
     joint.crack = crack_kind(crack_at_node, joint);
     joint.failed_at = time;
@@ -105,7 +113,7 @@ void Fracture::fail(const std::vector<int>& joints, double time) {
   }
   for (const int j : joints) {
     model_.joints[j].state = JointState::failed;
-    weaken(model_.joints[j], std::min(0.0, model_.joints[j].failed_with.normal));
+    weaken(model_.joints[j], std::min(0.0, model_.joints[j].left_with.normal));
     begin_bridges(model_, model_.joints[j]);
   }
   model_.fragment = find_fragments(model_);
@@ -115,8 +123,8 @@ void Fracture::recall_tractions() {
   for (const int j : events_)
     if (!model_.joints[j].bridged)
       for (JointPoint& point : model_.joints[j].points) {
-        point.normal = model_.joints[j].failed_with.normal;
-        point.shear = model_.joints[j].failed_with.shear;
+        point.normal = model_.joints[j].left_with.normal;
+        point.shear = model_.joints[j].left_with.shear;
       }
 }
 
@@ -141,7 +149,7 @@ void Fracture::heal() {
     joint.mode = FailureMode::none;
     joint.crack = CrackKind::none;
     joint.failed_at = 0;
-    joint.failed_with = {};
+    joint.failed_with = joint.left_with = {};
     joint.remaining = {};
     joint.most_opening = joint.most_slip = 0;
     joint.off_path = Vec2::Zero();

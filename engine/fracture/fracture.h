@@ -20,7 +20,8 @@ class Fracture {
   // only for bonds that share a node with it; in equilibrium for all. The model is as it was judged.
   std::vector<int> choose(bool motion);
   // They fail, with the tractions that they have, and join the events.
-  void fail(const std::vector<int>& joints, double time);
+  // judged: Pa, the tractions they were judged by where these are not the present ones.
+  void fail(const std::vector<int>& joints, double time, const std::vector<BondTraction>& judged = {});
   // What failed since the last clear_events() has the tractions again with which it failed: its faces take them over in each search of the step.
   void recall_tractions();
   // A block goes on with this strain beside its own, as an initial stress.
@@ -31,7 +32,7 @@ class Fracture {
   void weaken();
 
   // s, in which a P wave crosses the smallest block that has a bond.
-  double least_transit() const { return least_transit_; }
+  double least_transit() const;
 
   // Joints that failed since the last clear_events(): in this step.
   const std::vector<int>& events() const { return events_; }
@@ -55,7 +56,6 @@ class Fracture {
     double energy;  // J/m, Model::added_strain_energy
   };
   std::vector<Before> before_strain_;
-  double least_transit_ = 0;
 };
 
 }  // namespace talus

@@ -92,35 +92,55 @@ double Gas::front(int wall) const {
 }
 
 void Gas::detonate(double soon) {
-  events_.clear();
+  if (events_told_) events_.clear();
+  events_told_ = false;
+  std::vector<int> due;  // walls
   for (size_t wall = 0; wall < model_.hole_walls.size(); ++wall) {
     const int charge = model_.hole_walls[wall].charge;
-    if (first_volume_[charge] > 0 || model_.scene.charges[charge].delay > model_.time + soon) continue;
-    Reach hole;
-    hole.nodes = paths_.wall_nodes(int(wall));
-    first_volume_[charge] = gas_volume(model_, model_.blocks, 0, paths_, {int(wall)}, hole);
-    if (Chamber& there = chambers_[chamber_of(int(wall))]; there.state == Chamber::State::vented) {
-      if (!model_.scene.charges[there.charges[0]].orifice && vent_part(there, model_.time) == 0)
-        set_apart(int(wall));
-      else
-        settle_venting(there);
-    }
-    const int c = chamber_of(int(wall));
-    Chamber& chamber = chambers_[c];
-    chamber.charges.push_back(charge);
-    if (chamber.state == Chamber::State::waiting) {
-      chamber.state = Chamber::State::pressing;
-      chamber.began = model_.time;
-      chamber.volume = first_volume_[charge];
-      reach_[c] = hole;
-    }
-    if (chamber.state == Chamber::State::vented)  // its volume is not followed where its gas had ended
-      spread(c);
-    else
-      chamber.pressure = law_pressure(chamber, chamber.volume, model_.time);
-    events_.push_back({GasEventKind::detonation, int(wall), -1, model_.time, chamber.volume, chamber.pressure});
+    if (first_volume_[charge] == 0 && model_.scene.charges[charge].delay <= model_.time + soon) due.push_back(int(wall));
   }
+  if (!due.empty()) go_off(due);
   lay_faces();
+}
+
+// All of them, or none where a law of the script fails.
+void Gas::go_off(const std::vector<int>& walls) {
+  const auto before = std::tuple(first_volume_, chambers_, reach_);
+  const size_t events = events_.size();
+  try {
+    for (const int wall : walls) go_off(wall);
+  } catch (...) {
+    std::tie(first_volume_, chambers_, reach_) = before;
+    events_.resize(events);
+    throw;
+  }
+}
+
+void Gas::go_off(int wall) {
+  const int charge = model_.hole_walls[wall].charge;
+  Reach hole;
+  hole.nodes = paths_.wall_nodes(wall);
+  first_volume_[charge] = gas_volume(model_, model_.blocks, 0, paths_, {wall}, hole);
+  if (Chamber& there = chambers_[chamber_of(wall)]; there.state == Chamber::State::vented) {
+    if (!model_.scene.charges[there.charges[0]].orifice && vent_part(there, model_.time) == 0)
+      set_apart(wall);
+    else
+      settle_venting(there);
+  }
+  const int c = chamber_of(wall);
+  Chamber& chamber = chambers_[c];
+  chamber.charges.push_back(charge);
+  if (chamber.state == Chamber::State::waiting) {
+    chamber.state = Chamber::State::pressing;
+    chamber.began = model_.time;
+    chamber.volume = first_volume_[charge];
+    reach_[c] = hole;
+  }
+  if (chamber.state == Chamber::State::vented)  // its volume is not followed where its gas had ended
+    spread(c);
+  else
+    chamber.pressure = law_pressure(chamber, chamber.volume, model_.time);
+  events_.push_back({GasEventKind::detonation, wall, -1, model_.time, chamber.volume, chamber.pressure});
 }
 
 // A hole whose gas, that of another charge, has blown out: what goes off in it now begins anew, and blows out where it meets the others.
@@ -317,6 +337,7 @@ void Gas::end_step(double dt) {
   }
   merge();
   vent();
+  events_told_ = true;
 }
 
 // By the speed at the middle of the step.
@@ -366,6 +387,7 @@ void Gas::visit_state(StateVisitor& visitor) {
 
 // What gas that presses has reached follows from the cracks; what has ended stays where it had got to.
 void Gas::restored() {
+  events_told_ = true;
   for (size_t c = 0; c < chambers_.size(); ++c)
     if (chambers_[c].pressure > 0) find_reach(int(c));
 }

@@ -84,6 +84,8 @@ class Gas {
  private:
   bool presses(const Chamber& chamber) const;
   double wave_speed(int wall) const;
+  void go_off(const std::vector<int>& walls);
+  void go_off(int wall);
   void set_apart(int wall);
   void settle_venting(Chamber& chamber);
   void lay_faces();
@@ -128,6 +130,7 @@ class Gas {
   double dt_ = 0;
   bool gives_up_ = false;
   std::vector<GasEvent> events_;
+  bool events_told_ = true;  // of the last step; not yet where it came to nothing after charges had gone off
 };
 
 }  // namespace talus

@@ -110,7 +110,7 @@ class Criteria {
 class Mesher {
  public:
   Mesher(const TessellationInput& input, const std::function<double(Vec2)>& size_at, long most)
-      : frame_(input.outline),
+      : frame_(MeshFrame::about_box(input.outline)),
         size_(frame_, size_at),
         network_(make_network(input, closest_traces * frame_.unit() * least_size(input))),
         most_(most) {}

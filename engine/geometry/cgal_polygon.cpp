@@ -1,8 +1,10 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/convex_hull_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <numeric>
 
 #include "geometry/polygon.h"
@@ -115,6 +117,15 @@ std::optional<std::string> self_meeting(const Outline& o) {
 }
 
 }  // namespace
+
+Polyline convex_hull(const Polyline& points) {
+  std::vector<Kernel::Point_2> all, hull;
+  for (const Vec2& p : points) all.emplace_back(p.x(), p.y());
+  CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
+  Polyline line;
+  for (const Kernel::Point_2& p : hull) line.emplace_back(p.x(), p.y());
+  return line;
+}
 
 std::optional<std::string> defect(const Polyline& polygon) {
   const Outline o(polygon);

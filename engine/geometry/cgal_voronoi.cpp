@@ -121,7 +121,7 @@ double longest_edge(const GrainDomain& domain, const std::vector<GrainSite>& sit
 
 Tessellation voronoi(const TessellationInput& input, const std::function<double(Vec2)>& size_at, unsigned seed,
                      long most) {
-  const MeshFrame frame = MeshFrame::along_first_edge(input.outline);
+  const MeshFrame frame = MeshFrame::about_first_point(input.outline);
   const SizeField size(frame, size_at);
   const GrainDomain domain = domain_of(input, frame);
   std::vector<GrainSite> sites = grain_sites(domain, size, seed, most);

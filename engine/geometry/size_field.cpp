@@ -7,8 +7,24 @@
 
 namespace talus {
 
-MeshFrame MeshFrame::along_first_edge(const Polyline& outline) {
-  return {outline[0], std::sqrt(signed_area(outline)), (outline[1] - outline[0]).normalized()};
+namespace {
+
+Vec2 along_first_edge(const Polyline& outline) {
+  return (outline[1] - outline[0]).normalized();
+}
+
+}  // namespace
+
+MeshFrame MeshFrame::about_box(const Polyline& outline) {
+  const MeshFrame turned(outline[0], 1, along_first_edge(outline));
+  Polyline line;
+  for (const Vec2& p : outline) line.push_back(turned.local(p));
+  const Bounds box = bounds(line);
+  return {turned.world(box.min), box.extent(), turned.axis_};
+}
+
+MeshFrame MeshFrame::about_first_point(const Polyline& outline) {
+  return {outline[0], std::sqrt(signed_area(outline)), along_first_edge(outline)};
 }
 
 Vec2 MeshFrame::local(const Vec2& point) const {

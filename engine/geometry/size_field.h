@@ -7,15 +7,16 @@
 
 namespace talus {
 
-// The mesher works about the outline's corner in units of its extent, coordinates of given points rounded to
-// `resolution`: the same scene 10 km off or 1000 times larger gives the same numbers, and so the same mesh.
+// A frame that moves, turns and grows with the outline: x runs along its first edge. Meshers work in it, coordinates of
+// given points rounded to `resolution`: the same scene 10 km off, turned or 1000 times larger gives the same numbers, and so the
+// same mesh.
 class MeshFrame {
  public:
   static constexpr double resolution = 0x1p-36;
-  explicit MeshFrame(const Polyline& outline) : origin_(bounds(outline).min), unit_(bounds(outline).extent()) {}
-  // Turned with the outline: x runs along its first edge, from its first point, in units of the square root of its
-  // area. What is made in it turns with the scene.
-  static MeshFrame along_first_edge(const Polyline& outline);
+  // From the corner of the box round the outline, in units of its extent.
+  static MeshFrame about_box(const Polyline& outline);
+  // From the outline's first point, in units of the square root of its area.
+  static MeshFrame about_first_point(const Polyline& outline);
   Vec2 local(const Vec2& point) const;
   Vec2 local_of_given(const Vec2& point) const;
   Vec2 world(const Vec2& local) const { return origin_ + unit_ * (local.x() * axis_ + local.y() * perp(axis_)); }
@@ -26,7 +27,7 @@ class MeshFrame {
 
   Vec2 origin_;
   double unit_;
-  Vec2 axis_ = Vec2(1, 0);
+  Vec2 axis_;
 };
 
 class SizeField {

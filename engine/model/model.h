@@ -79,9 +79,13 @@ struct BlockShape {
   Vec2 reference_centroid = Vec2::Zero();
   Vec3 initial_stress = Vec3::Zero();  // sxx, syy, sxy in the block's axes; of second order at the centroid
   int quadratic = -1;                  // of a second-order block: into Model::quadratic_shapes
+  bool bonded = false;                 // to others when it was built
 
   bool second_order() const { return dofs == second_order_dofs; }
   int rate_count() const { return second_order() ? second_order_dofs : first_order_dofs; }  // of BlockState::velocity that may not be nought
+  // rad, of a block whose spins at both ends of a step come to `mean` in it. A centroid that goes by the mean of its velocities (trapezoidal
+  // rule) turns about another by this angle, Cayley's: so do bonded blocks, or each step would tear at their bonds by a twelfth of the angle's cube.
+  double turn(double mean) const { return bonded ? 2 * std::atan(mean / 2) : mean; }
   Bend bend() const { return {length, Vec3(xx, xy, yy) / (area * area)}; }
 };
 
@@ -142,7 +146,8 @@ struct Joint {
   FailureMode mode = FailureMode::none;
   CrackKind crack = CrackKind::none;
   double failed_at = 0;                // s
-  BondTraction failed_with;            // Pa
+  BondTraction failed_with;            // Pa, by which it was judged: where the step would have led
+  BondTraction left_with;              // Pa, as that step began, which what takes over from it goes on from
   double utilisation = 0;              // by its criterion, of the last accepted step; of a failed bond: when it failed
   double scatter = 1;                  // of its strength, about that of its property
   Strength remaining;                  // Pa; of what has failed
@@ -203,7 +208,6 @@ struct PointFixity {
   int fixity = 0;  // index into Scene::fixities
   int block = 0;
   Vec2 in_block = Vec2::Zero();  // from the reference centroid
-  double stiffness = 0;          // N/m
 };
 
 struct EdgeFixity {  // an edge bonded to the ground
@@ -277,7 +281,7 @@ class Model {
   Vec2 origin = Vec2::Zero();
   // m, of what the places round `at` are differences of: the size of the scene, or the distance from its middle where that is more.
   double size_of(const Vec2& at) const { return std::max(extent, at.norm()); }
-  double extent = 1;  // m, half the height of the scene's box (half the width where it is flat)
+  double extent = 1;  // m, half the scene's height, along gravity or else where it is narrowest (half its width where it is flat)
   double time = 0;
   // J/m: what blocks store beside Σ A ε·(σ₀ + ½ C ε), as strains have been added to their own (Fracture::add_strain).
   double added_strain_energy = 0;

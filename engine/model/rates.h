@@ -1,14 +1,18 @@
 #pragma once
 #include <algorithm>
-#include <array>
+#include <span>
 
 #include "model/model.h"
 
 namespace talus {
 
 // Of a block with these rates of its unknowns.
-inline bool stands_still(const std::array<double, max_dofs>& rates) {
+inline bool stands_still(std::span<const double> rates) {
   return std::ranges::all_of(rates, [](double rate) { return rate == 0; });
+}
+
+inline bool stands_still(const Model& model, int block) {  // reads no more than it may have
+  return stands_still(std::span(model.blocks[size_t(block)].velocity).first(size_t(model.shapes[size_t(block)].rate_count())));
 }
 
 }  // namespace talus

@@ -143,10 +143,11 @@ void visit_state(BlockState& state, StateVisitor& v) {
 
 void visit_state(BlockShape& shape, StateVisitor& v) {
   auto& [dofs, dof_begin, vertex_begin, vertex_end, region, material, area, length, radius, xx, yy, xy,
-         reference_centroid, initial_stress, quadratic] = shape;
+         reference_centroid, initial_stress, quadratic, bonded] = shape;
   for (int* number : {&dofs, &dof_begin, &vertex_begin, &vertex_end, &region, &material}) v("shape", *number);
   for (double* number : {&area, &length, &radius, &xx, &yy, &xy}) v("shape", *number);
   v("reference_centroid", reference_centroid);
+  v("bonded", bonded);
   v("quadratic", quadratic);
 }
 
@@ -184,7 +185,7 @@ void visit_state(Bridge& bridge, StateVisitor& v) {
 }
 
 void visit_state(Joint& joint, StateVisitor& v) {
-  auto& [a, b, property, trace, bonded, state, mode, crack, failed_at, failed_with, utilisation, scatter, remaining,
+  auto& [a, b, property, trace, bonded, state, mode, crack, failed_at, failed_with, left_with, utilisation, scatter, remaining,
          most_opening, most_slip, off_path, path_turn, bridged, kind, length, normal, in_a, in_b, edge_a, edge_b, node, weight_a, weight_b, points] = joint;
   for (int* number : {&a, &b, &property, &trace, &edge_a, &edge_b, &node[0], &node[1]}) v.constant("joint", *number);
   v.constant("bonded", bonded);
@@ -198,8 +199,10 @@ void visit_state(Joint& joint, StateVisitor& v) {
   v("mode", mode);
   v("crack", crack);
   v("failed_at", failed_at);
-  v("failed_with", failed_with.normal);
-  v("failed_with", failed_with.shear);
+  for (BondTraction* traction : {&failed_with, &left_with}) {
+    v("failed_with", traction->normal);
+    v("failed_with", traction->shear);
+  }
   v("utilisation", utilisation);
   v("remaining", remaining);
   v("most_opening", most_opening);
@@ -310,11 +313,10 @@ void visit_state(EdgeLoad& load, StateVisitor& v) {
 }
 
 void visit_state(PointFixity& point, StateVisitor& v) {
-  auto& [fixity, block, in_block, stiffness] = point;
+  auto& [fixity, block, in_block] = point;
   v("fixity", fixity);
   v("block", block);
   v("in_block", in_block);
-  v("stiffness", stiffness);
 }
 
 void visit_state(EdgeFixity& edge, StateVisitor& v) {

@@ -1,8 +1,8 @@
 #include "scene/build.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <set>
@@ -13,12 +13,37 @@ namespace talus {
 
 namespace {
 
-Eigen::AlignedBox2d scene_box(const Scene& scene) {
-  Eigen::AlignedBox2d box;
+Polyline outline_points(const Scene& scene) {
+  Polyline points;
   for (const Region& region : scene.regions)
-    for (const Polyline& outline : region.outlines)
-      for (const Vec2& p : outline) box.extend(p);
-  return box;
+    for (const Polyline& outline : region.outlines) points.insert(points.end(), outline.begin(), outline.end());
+  return points;
+}
+
+double extent_along(const Polyline& points, const Vec2& direction) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const Vec2& p : points) {
+    least = std::min(least, p.dot(direction));
+    most = std::max(most, p.dot(direction));
+  }
+  return most - least;
+}
+
+// Along gravity; without it along the narrowest extent: either turns with the scene, as its y need not.
+double half_height(const Polyline& points, const Vec2& gravity) {
+  const Polyline hull = convex_hull(points);
+  Vec2 along = gravity.normalized();
+  if (gravity.isZero(0)) {
+    double least = std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < hull.size(); ++i) {  // narrowest across one of the hull's edges
+      const Vec2 across = perp(Vec2(hull[(i + 1) % hull.size()] - hull[i])).normalized();
+      const double extent = extent_along(hull, across);
+      if (extent < least) least = extent, along = across;
+    }
+  }
+  const double height = extent_along(hull, along), width = extent_along(hull, perp(along));
+  const bool flat = std::min(height, width) <= 1e-3 * std::max(height, width);
+  return (flat ? std::max(height, width) : height) / 2;
 }
 
 // Everything geometric moves to the model's origin, so that a scene 10 km away keeps its digits.
@@ -131,10 +156,10 @@ Model build(Scene scene) {
   default_contact(scene);
   Model model;
   doubt_units(scene, model.notes);
-  const Eigen::AlignedBox2d box = scene_box(scene);
-  const Vec2 centre = box.center(), size = box.sizes();
-  if (centre.norm() > 10 * size.norm()) model.origin = centre;  // else the user's own coordinates
-  model.extent = size.minCoeff() > 1e-3 * size.maxCoeff() ? size.y() / 2 : size.maxCoeff() / 2;
+  const Polyline points = outline_points(scene);
+  const Bounds box = bounds(points);
+  if (box.centre().norm() > 10 * (box.max - box.min).norm()) model.origin = box.centre();  // else the user's own coordinates
+  model.extent = half_height(points, scene.gravity);
   shift(scene, model.origin);
   model.scene = std::move(scene);
   const std::vector<FreeEdge> edges = build_blocks(model);

@@ -100,8 +100,6 @@ void attach_fixity_points(Model& model, int fixity, const std::vector<int>& bloc
     fixed.fixity = fixity;
     fixed.block = block;
     fixed.in_block = point - model.shapes[block].reference_centroid;
-    // Far stiffer than the block it holds (E per unit thickness), far from the limits of the arithmetic.
-    fixed.stiffness = 1e4 * model.material(block).young;
     model.point_fixities.push_back(fixed);
   }
 }

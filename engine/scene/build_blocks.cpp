@@ -181,6 +181,7 @@ void add_joint(Model& model, int first, const Tessellation& t, const Tessellatio
   joint.property = property;
   joint.trace = face.trace;
   joint.bonded = bonded;
+  if (bonded) model.shapes[a].bonded = model.shapes[b].bonded = true;
   joint.state = bonded ? JointState::intact : JointState::failed;
   joint.node = {node[face.p], node[face.q]};
   joint.kind = model.scene.properties[property].bond;

@@ -26,6 +26,10 @@ std::string count_text(size_t count, const std::string& what) {
 
 }  // namespace
 
+bool moves_supports(const Scene& scene) {
+  return std::any_of(scene.fixities.begin(), scene.fixities.end(), [](const Fixity& fixity) { return fixity.motion != Fixity::none || fixity.spin != 0; });
+}
+
 Plan make_plan(const Model& model) {
   Plan plan;
   const Scene& scene = model.scene;
@@ -50,9 +54,7 @@ Plan make_plan(const Model& model) {
   plan.initial_stress = !plan.dynamic && std::any_of(scene.regions.begin(), scene.regions.end(), [](const Region& region) { return region.stress.has_value(); });
   plan.loads = plan.point_loads || plan.edge_loads || plan.initial_stress ||
                std::any_of(scene.regions.begin(), scene.regions.end(), any_body_force);
-  plan.moving_supports = std::any_of(scene.fixities.begin(), scene.fixities.end(), [](const Fixity& fixity) {
-    return fixity.motion != Fixity::none || fixity.spin != 0;
-  });
+  plan.moving_supports = moves_supports(scene);
   plan.restitution = plan.dynamic && plan.contacts &&
                      std::any_of(scene.properties.begin(), scene.properties.end(), [](const JointProperty& p) { return p.restitution < 1; });
   plan.damping = plan.restitution || (plan.dynamic && (scene.numerics.damping || (scene.numerics.integrator == Integrator::newmark &&

@@ -7,6 +7,7 @@
 namespace talus {
 
 class Model;
+struct Scene;
 
 struct Plan {
   bool bonds = false, contacts = false, fixities = false, point_loads = false, edge_loads = false, body_forces = false,
@@ -19,5 +20,6 @@ struct Plan {
 };
 
 Plan make_plan(const Model& model);
+bool moves_supports(const Scene& scene);
 
 }  // namespace talus

@@ -33,6 +33,19 @@ double kinetic_difference(const Model& model, const std::vector<BlockState>& oth
   return sum;
 }
 
+// What a step was like in the totals, where one that is taken again in halves counts once.
+struct Kinds {
+  long at_rest, by_sweeps;
+  IslandCounts islands;
+
+  explicit Kinds(const RunTotals& totals) : at_rest(totals.steps_at_rest), by_sweeps(totals.steps_by_sweeps), islands(totals.islands) {}
+  void put_into(RunTotals& totals) const {
+    totals.steps_at_rest = at_rest;
+    totals.steps_by_sweeps = by_sweeps;
+    totals.islands = islands;
+  }
+};
+
 double kinetic(const Model& model) { return kinetic_difference(model, std::vector<BlockState>(model.blocks.size())); }
 
 }  // namespace
@@ -42,7 +55,7 @@ HalfSteps::HalfSteps(Model& model, const Plan& plan, Stepper& stepper, RunTotals
   const Scene& scene = model.scene;
   tolerance_ = scene.time.tolerance;
   t_end_ = scene.time.t_end;
-  least_ = scene.time.dt_min > 0 ? scene.time.dt_min : least_part * t_end_;
+  least_ = scene.time.dt_min > 0 ? 2 * scene.time.dt_min : least_part * t_end_;
   // Contacts press at the end of a step: first order.
   const bool midpoint = scene.numerics.integrator == Integrator::theta && scene.numerics.theta == 0.5;
   order_ = midpoint && !plan.contacts ? 2 : 1;
@@ -51,6 +64,7 @@ HalfSteps::HalfSteps(Model& model, const Plan& plan, Stepper& stepper, RunTotals
 StepReport HalfSteps::step() {
   const std::string before = state();
   const double start = model_.time;
+  const Kinds so_far(totals_);
   fastest_ = std::max(fastest_, kinetic(model_));
   for (int again = 0;; ++again) {
     double dt = 0, end = 0;
@@ -62,8 +76,10 @@ StepReport HalfSteps::step() {
       end = model_.time;
       whole = model_.blocks;
       grown = stepper_.step_size();
+      const Kinds with_it(totals_);
       put_back(before);
       report = halves(dt, end);
+      with_it.put_into(totals_);
     } catch (...) {
       put_back(before);
       throw;
@@ -82,6 +98,7 @@ StepReport HalfSteps::step() {
     }
     dt_ = std::max(dt * std::clamp(change, least_change, most_again), least_);
     put_back(before);
+    so_far.put_into(totals_);
     ++totals_.cuts;
   }
 }

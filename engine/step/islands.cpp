@@ -65,15 +65,16 @@ int Islands::join(const Model& model, const ContactTerms& contacts) {
 
 void Islands::take_all(const Model& model, const ContactTerms& contacts) {
   of_.assign(model.shapes.size(), -1);
-  single_.assign(1, 0);
+  const int count = model.awake_blocks().empty() ? 0 : 1;
+  single_.assign(size_t(count), 0);
   std::vector<std::pair<int, int>> members, rows;
   for (const int b : model.awake_blocks()) {
     members.push_back({0, b});
     if (model.shapes[b].dofs > 0) of_[b] = 0;
   }
   for (int k = 0; k < int(contacts.rows().size()); ++k) rows.push_back({0, k});
-  blocks_.fill(1, members);
-  rows_.fill(2, rows);
+  blocks_.fill(count, members);
+  rows_.fill(count + 1, rows);
 }
 
 }  // namespace talus

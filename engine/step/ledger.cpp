@@ -132,6 +132,7 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   ledger.boundary_work += moved.boundary;
   ledger.numerical_flow += moved.numerical;
   book_linear(s, ledger);
+  ledger.numerical_flow += s.joints.loss_of_turning(model, s.poses, s.scheme, s.d, s.moved);
   keep_largest(ledger);
 }
 

@@ -9,6 +9,7 @@
 // is `unexplained`: finite rotations, contacts that hand over, the solver's residual.
 #include <algorithm>
 
+#include "equations/joint_terms.h"
 #include "equations/bridge_terms.h"
 #include "equations/contact_terms.h"
 #include "equations/supports.h"
@@ -53,6 +54,7 @@ struct BookedStep {  // what an accepted step was solved with; the model is stil
   const Model& model;
   const Poses& poses;
   const System& system;
+  const JointTerms& joints;
   const Supports& supports;
   const Scheme& scheme;
   const Vector& d;

@@ -39,10 +39,11 @@ StepReport Stepper::load_step(double to, bool first) {
   if (first && plan_.contacts) search_.update(model_, 0);
   if (!fracture_) {
     const double from = model_.time;
-    model_.time = plan_.contacts && plan_.moving_supports ? reachable(to) : to;
+    const bool moving = moves_supports(model_.scene);  // the script may have let one go since the plan was made
+    model_.time = plan_.contacts && moving ? reachable(to) : to;
     const LoadStepBooking booking(model_, supports_, from, first);
     Equilibrium search;
-    search.in_place = !plan_.moving_supports;
+    search.in_place = !moving;
     if (!balance(search)) give_up(search);
     book_load(booking, first);
     return search.report;
@@ -94,6 +95,7 @@ StepReport Stepper::raise_load(double to, bool first) {
     search.most_solves = most_search_solves;
     search.may_jump = before + pace * (until - from) <= 1 + overshoot || until <= soonest;
     const bool found = balance(search);
+    search.report.cuts = cuts;
     if (!found) vain += search.report.iterations;
     const double after = found ? fracture_->judge() : 0;
     search.report.utilisation = after;
@@ -112,7 +114,7 @@ StepReport Stepper::raise_load(double to, bool first) {
       attempt.keep();
       if (search.jumped || (bent && off > 0))
         ledger_.fracture_work += off;
-      else
+      else if (until > from)
         pace_ = (after - before) / (until - from);
       fracture_->weaken();
       short_increments_ = until < to && !bonds_due() ? short_increments_ + 1 : 0;

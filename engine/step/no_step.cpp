@@ -37,6 +37,14 @@ void Stepper::give_up(const OpenCloseResult& result, double dt, int crushed) con
     std::snprintf(text, sizeof text, "t = %.9g s: no step down to %.3g s has a gas pressure that agrees with the volume it leads to", model_.time, dt);
     throw RunError(text);
   }
+  if (again_ > most_again) {
+    std::snprintf(text, sizeof text, "t = %.9g s: bonded blocks turn so much in a step of %.3g s that their bonds cannot follow, and time.dt_min lets none be shorter", model_.time, dt);
+    throw RunError(text);
+  }
+  if (bridge_motion_.gives_up()) {
+    std::snprintf(text, sizeof text, "t = %.9g s: no step down to %.3g s has softening bonds whose forces agree with how far it opens them", model_.time, dt);
+    throw RunError(text);
+  }
   if (!std::isfinite(result.residual)) {
     std::snprintf(text, sizeof text,
                   "t = %.9g s: the forces on %s are beyond the largest number: gravity, a load, a stiffness or a speed of the scene "

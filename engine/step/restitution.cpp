@@ -24,11 +24,13 @@ struct Opened {
   double impulse = 0;  // N s/m, taken
 };
 
-// How blocks part as rigid ones: a block that strains stays on what it has hit until it has rung back, and flies off by that.
-Row rigid(const Row& of) {
-  Row own{};
-  std::copy_n(of.begin(), rigid_dofs, own.begin());
-  return own;
+// How blocks part as rigid ones: a block that strains stays on what it has hit until it has rung back, and flies off by that. Where they are now, so
+// that impulses keep angular momentum.
+Row parting_row(const Model& model, const Contact& contact, int block) {
+  const Vec2 at = model.vertex[size_t(contact.global_vertex)], from = model.vertex[size_t(contact.global_edge)];
+  const Vec2 to = model.vertex[size_t(model.shapes[size_t(contact.j)].vertex_begin + model.next_vertex(contact.j, contact.edge))];
+  const Vec2 along = (to - from).normalized(), way = block == contact.i ? Vec2(-perp(along)) : perp(along);
+  return {way.x(), way.y(), cross(at - model.blocks[size_t(block)].centroid, way) / model.shapes[size_t(block)].length};
 }
 
 // An impulse on one of the blocks that bonds hold together would only strain its bonds: it moves all of them. Of a model whose blocks keep
@@ -82,6 +84,10 @@ double parting(const Bodies& bodies, int i, const Row& of_i, int j, const Row& o
   return bodies.body(i) == bodies.body(j) ? 0 : bodies.rate(i, of_i) + bodies.rate(j, of_j);
 }
 
+double parting(const Model& model, const Bodies& bodies, const Contact& contact) {
+  return parting(bodies, contact.i, parting_row(model, contact, contact.i), contact.j, parting_row(model, contact, contact.j));
+}
+
 // Gauss–Seidel over impulses that only hold back.
 void hold_back(Bodies& bodies, std::vector<Opened>& opened) {
   double fastest = 0, change = 0;
@@ -130,8 +136,7 @@ std::optional<double> move_with(const Bodies& bodies, const Bodies& before, cons
 
 Restitution::Restitution(const Model& model, const ContactTerms& contacts) {
   const Bodies bodies(model);
-  for (const ContactRows& row : contacts.rows())
-    parted_.push_back(parting(bodies, row.i, rigid(row.normal_i), row.j, rigid(row.normal_j)));
+  for (const ContactRows& row : contacts.rows()) parted_.push_back(parting(model, bodies, model.contacts[size_t(row.contact)]));
 }
 
 Restitution::Taken Restitution::limit(Model& model, const ContactTerms& contacts, const Scheme& scheme) const {
@@ -150,7 +155,7 @@ Restitution::Taken Restitution::limit(Model& model, const ContactTerms& contacts
       continue;
     }
     if (contact.may_part < 0) continue;
-    Opened own{.i = row.i, .j = row.j, .of_i = rigid(row.normal_i), .of_j = rigid(row.normal_j)};
+    Opened own{.i = row.i, .j = row.j, .of_i = parting_row(model, contact, row.i), .of_j = parting_row(model, contact, row.j)};
     const double now = parting(before, own.i, own.of_i, own.j, own.of_j), gap = contact.gap + contact.offset;  // at y = X + ahead v
     contact.lifted = std::max(0.0, contact.lifted + now - contact.parting);
     own.most = contact.may_part + contact.lifted;
@@ -161,8 +166,10 @@ Restitution::Taken Restitution::limit(Model& model, const ContactTerms& contacts
     if (own.mobility > 0) opened.push_back(own);
   }
   const auto keep_parting = [&](const Bodies& of) {
-    for (const ContactRows& row : contacts.rows())
-      model.contacts[size_t(row.contact)].parting = parting(of, row.i, rigid(row.normal_i), row.j, rigid(row.normal_j));
+    for (const ContactRows& row : contacts.rows()) {
+      Contact& contact = model.contacts[size_t(row.contact)];
+      contact.parting = parting(model, of, contact);
+    }
   };
   if (opened.empty()) {
     keep_parting(before);

@@ -228,8 +228,8 @@ bool Simulation::finished() const {
   const TimeControl& time = model.scene.time;
   if (stopped_ || last.collapsed || (time.max_steps > 0 && totals.steps >= time.max_steps)) return true;
   if (plan.dynamic) return model.time >= time.t_end;
-  if (time.t_end == 0) return totals.steps >= time.steps;
-  return totals.steps > 0 && model.time >= time.t_end && !stepper_->bonds_due();
+  const long least = time.t_end == 0 ? time.steps : 1;
+  return totals.steps >= least && model.time >= time.t_end && !stepper_->bonds_due();
 }
 
 const std::vector<int>& Simulation::fractures() const { return half_steps_ ? half_steps_->fractures() : stepper_->fractures(); }

@@ -1,9 +1,9 @@
 #include "step/sleep.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "equations/boundary_terms.h"
+#include "model/disjoint_sets.h"
 #include "model/rates.h"
 
 namespace talus {
@@ -30,17 +30,20 @@ std::vector<double> read_inputs(const Model& model, const Scheme& scheme) {
 
 }  // namespace
 
-void Sleep::wake(Model& model, const Scheme& scheme) {
+bool Sleep::wake(Model& model, const Scheme& scheme) {
   model.asleep.resize(model.shapes.size(), 0);
   take_stock(model);
   std::vector<char> woken(model.shapes.size() + 1, 0);  // by group
   wake_loaded(model, scheme, woken);
   if (!sleepers_.empty()) wake_near(model, scheme.dt, woken);
+  for (const int group : struck_) woken[size_t(group)] = 1;
+  struck_.clear();
   woken[0] = 0;
-  if (std::find(woken.begin(), woken.end(), 1) == woken.end()) return;
+  if (std::find(woken.begin(), woken.end(), 1) == woken.end()) return false;
   for (int& group : model.asleep)
     if (woken[group]) group = 0;
   model.order_contacts();
+  return true;
 }
 
 void Sleep::wake_loaded(const Model& model, const Scheme& scheme, std::vector<char>& woken) {
@@ -64,47 +67,54 @@ void Sleep::wake_loaded(const Model& model, const Scheme& scheme, std::vector<ch
   inputs_ = std::move(now);
 }
 
+template <typename Visit>
+void Sleep::each_group_in(const Box& box, const Model& model, Visit visit) const {
+  boxes_.each_meeting(box, std::numeric_limits<int>::min(), [&](int k) { visit(model.asleep[size_t(sleepers_[size_t(k)])]); });
+}
+
 void Sleep::wake_near(const Model& model, double dt, std::vector<char>& woken) {
   for (const int b : model.awake_blocks()) {
     const bool held = model.shapes[b].dofs == 0;
     const auto velocity = held ? held_velocity(model, b, dt) : model.blocks[b].velocity;
     if (held && stands_still(velocity)) continue;
-    boxes_.each_meeting(swept_box(model, b, velocity, dt), std::numeric_limits<int>::min(),
-                        [&](int k) { woken[model.asleep[sleepers_[k]]] = 1; });
+    each_group_in(swept_box(model, b, velocity, dt), model, [&](int group) { woken[size_t(group)] = 1; });
   }
+}
+
+// By the boxes with which contacts that a step went past are looked for (step/overlooked.h, contact/detection.h): without sleep they would be found.
+bool Sleep::struck(const Model& model, const std::vector<BlockState>& moved, const Scheme& scheme) {
+  if (sleepers_.empty()) return false;
+  const double dt = scheme.dt + scheme.bond_ahead;
+  for (const int b : model.awake_blocks()) {
+    if (stands_still(moved[size_t(b)].velocity)) continue;
+    const Box to = swept_box(model, b, moved[size_t(b)].velocity, dt), on = swept_box(model, b, model.blocks[size_t(b)].velocity, scheme.dt);
+    each_group_in({to.low.cwiseMin(on.low), to.high.cwiseMax(on.high)}, model, [&](int group) { struck_.push_back(group); });
+  }
+  return !struck_.empty();
 }
 
 void Sleep::fall_asleep(Model& model, const IslandSolver& islands, const std::vector<std::pair<int, int>>& near) {
   const int count = int(model.shapes.size());
-  std::vector<int> group(count);
-  std::iota(group.begin(), group.end(), 0);
-  const auto root = [&group](int b) {
-    while (group[b] != b) b = group[b] = group[group[b]];
-    return b;
-  };
-  const auto tie = [&](int a, int b) {
-    const auto [low, high] = std::minmax({root(a), root(b)});
-    group[high] = low;
-  };
+  DisjointSets sets(model.shapes.size());
   std::vector<char> moves(count, 0);
   for (int b = 0; b < count; ++b)
     if (islands.first(b) >= 0) {
-      tie(b, islands.first(b));
+      sets.join(b, islands.first(b));
       moves[b] = islands.rest(b) != Rest::rests;
     }
   for (const auto& [a, b] : near) {
     const bool free_a = model.shapes[a].dofs > 0, free_b = model.shapes[b].dofs > 0;
-    if (free_a && free_b) tie(a, b);
-    if (!free_a && !stands_still(model.blocks[a].velocity)) moves[b] = 1;
-    if (!free_b && !stands_still(model.blocks[b].velocity)) moves[a] = 1;
+    if (free_a && free_b) sets.join(a, b);
+    if (!free_a && !stands_still(model, a)) moves[b] = 1;
+    if (!free_b && !stands_still(model, b)) moves[a] = 1;
   }
   for (const GasFace& face : model.gas_faces) moves[face.block] = 1;
   for (int b = 0; b < count; ++b)
-    if (moves[b]) moves[root(b)] = 1;
+    if (moves[b]) moves[sets.root(b)] = 1;
   bool any = false;
   for (int b = 0; b < count; ++b)
-    if (islands.first(b) >= 0 && !moves[root(b)]) {
-      model.asleep[b] = root(b) + 1;
+    if (islands.first(b) >= 0 && !moves[sets.root(b)]) {
+      model.asleep[b] = sets.root(b) + 1;
       any = true;
     }
   if (any) model.order_contacts();

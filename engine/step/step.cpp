@@ -40,7 +40,7 @@ Stepper::Stepper(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledg
   for (const BlockShape& shape : model.shapes) block_sizes_.push_back(shape.dofs);
   if (plan.fracture) {
     fracture_ = std::make_unique<Fracture>(model);
-    step_size_.among_cracks(fracture_->least_transit());
+    step_size_.among_cracks();
   }
   if (plan.gas) gas_ = std::make_unique<Gas>(model);
 }
@@ -63,29 +63,36 @@ StepReport Stepper::dynamic_step(double most) {
   if (gas_) gas_->detonate(step_size_.least());
   shorten();
   bool regretted = false;
-  for (double dt = std::min(next_dt(), most);; dt = std::min(next_dt(), most), ++report.cuts) {
+  const StepSize before = step_size_;
+  pressed_ = ContactTerms::least_pressed;
+  const auto count_cut = [&] { ++report.cuts, ++totals_.cuts; };
+  for (;;) {
+    const double dt = std::min(next_dt(), most);
     const Scheme scheme = this->scheme(dt);
-    if (model_.scene.numerics.sleeping) sleep_.wake(model_, scheme);
+    if (model_.scene.numerics.sleeping && sleep_.wake(model_, scheme)) weighed_late_ = true;
     Attempt attempt(model_, plan_, ledger_, search_, contacts_before_, fracture_.get());
     // 1. The state and the loads that belong to this step's length and times.
     const std::optional<Energies> start = begin(scheme, attempt);
 
     // 2 to 5. Contacts, their law, the bonds that fail: where the step leads.
     Course course = seek(scheme, attempt, report);
+    if (course.woke) continue;
 
     // 6. Not settled, moved too far, or past contacts: everything as it was; again with a smaller step.
     if (!course.result.converged || step_size_.too_far(course.far) || course.crushed >= 0) {
-      step_size_.cut(dt, course.result.converged ? course.far : 0);
-      if (step_size_.next(model_.time) < step_size_.least()) {
+      if (step_size_.is_least(dt)) {
+        step_size_ = before;
         gave_up_ = true;
         give_up(course.result, dt, course.crushed);
       }
-      ++totals_.cuts;
+      step_size_.cut(dt, course.result.converged ? course.far : 0);
+      if (!course.result.converged) pressed_ = std::min(100 * pressed_, 1.0);
+      count_cut();
       continue;
     }
     if (course.past || (plan_.contacts && step_size_.may_halve(dt) && turns_gain(scheme, course))) {
       step_size_.halve(dt);
-      ++totals_.cuts;
+      count_cut();
       continue;
     }
 
@@ -97,7 +104,7 @@ StepReport Stepper::dynamic_step(double most) {
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
     if (start && !regretted && gained > most_gain * start->stored() && regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most)) {
       regretted = weighed_late_ = true;
-      ++totals_.cuts;
+      count_cut();
       continue;
     }
     if (start && gained > 0 && plan_.gravity) {
@@ -184,13 +191,15 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
 
     // 3. Open–close: everything linear once, then contacts until their law is met.
     hold_.clear();
+    joints_.begin();
+    again_ = 0;
     do {  // again with more of the candidates where one presses that was not expected to, with other pressures of the gas, and other branches of bridges
       if (course.result.missed) widen();
       assemble(scheme, false);
       if (on_assembled) on_assembled(scheme, system_, contacts_);
       course.result = solve(scheme.dt, course.d);
     } while (course.result.missed || (course.result.converged && !settled(scheme, course.d)));
-    if (bridge_motion_.gives_up() || (gas_ && gas_->gives_up())) course.result.converged = false;
+    if (again_ > most_again || bridge_motion_.gives_up() || (gas_ && gas_->gives_up())) course.result.converged = false;
     report.iterations = course.result.iterations;
     report.residual = course.result.residual;
     if (!course.result.converged) return course;
@@ -202,7 +211,9 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
     if (fracture_ && breaks(scheme.dt, report)) continue;
 
-    // 5. Contacts that it went past: once again with those on its way.
+    // 5. Contacts that it went past: once again with those on its way. What sleeps there wakes, and the step begins again.
+    course.woke = model_.scene.numerics.sleeping && sleep_.struck(model_, moved_, scheme);
+    if (course.woke) return course;
     course.past = plan_.contacts && step_size_.may_halve(scheme.dt) && overlooks(scheme.dt, report.displacement, course.d);
     if (!course.past || !seen.empty()) return course;
     seen = moved_;
@@ -217,6 +228,7 @@ void Stepper::visit_state(StateVisitor& visitor) {
   visitor("short_increments", short_increments_);
   visitor("pace", pace_);
   visitor("weighed_late", weighed_late_);
+  visitor("judged_astray", judged_astray_);
   if (gas_) visitor("gas", *gas_);
 }
 
@@ -230,7 +242,7 @@ void Stepper::restored() {
 
 void Stepper::rewound() {
   weighed_late_ = true;
-  judged_astray_ = half_done_ = false;
+  half_done_ = false;
   moved_of_ = -1;
   search_.forget(model_);
   sleep_.restored();
@@ -245,6 +257,8 @@ void Stepper::rewound() {
 // of their laws that it leads to; or either has been given up.
 bool Stepper::settled(const Scheme& scheme, const Vector& d) {
   if (gas_ && !gas_->agrees(moved_blocks(model_, scheme, d))) return gas_->gives_up();
+  if (plan_.bonds && joints_.may_disagree(model_, scheme, d) && !joints_.agrees(model_, poses_, scheme, d, moved_blocks(model_, scheme, d)))
+    return ++again_ > most_again;
   return !bridge_motion_.any() || bridge_motion_.gives_up() || bridge_motion_.agrees(d);
 }
 
@@ -253,6 +267,9 @@ void Stepper::prepare_bonds() {
   revision_ = model_.revision;
   if (plan_.bonds || plan_.fixities) joints_.prepare(model_);
   if (plan_.fixities) supports_.prepare(model_, joints_.ground_stiffness());
+  if (!fracture_) return;
+  transit_ = fracture_->least_transit();
+  step_size_.short_enough(transit_);
 }
 
 void Stepper::assemble(const Scheme& scheme, bool stick) {
@@ -262,7 +279,7 @@ void Stepper::assemble(const Scheme& scheme, bool stick) {
   for (const Joint& joint : model_.joints)
     if (ties(joint) && !model_.sleeps(joint.a) && !model_.sleeps(joint.b)) pairs.push_back({joint.a, joint.b});
   poses_.predict(model_, scheme);
-  if (plan_.contacts) contacts_.linearise(model_, poses_, scheme, stick, nearness_);
+  if (plan_.contacts) contacts_.linearise(model_, poses_, scheme, stick, nearness_, pressed_);
   for (const ContactRows& row : contacts_.rows())
     if (row.near) pairs.push_back({row.i, row.j});
   std::vector<int> with_entries;
@@ -295,7 +312,7 @@ IslandResult Stepper::solve(double dt, Vector& d) {
   // Equilibrium is judged once more afterwards, by scales of its own.
   const double tolerance = motion ? numerics.contact_tolerance : std::min(numerics.contact_tolerance, 0.1 * numerics.static_tolerance);
   const OpenCloseSettings settings{tolerance, numerics.max_iterations, motion, numerics.solver,
-                                   fracture_ && dt > fracture_->least_transit() ? most_solve_effort
+                                   fracture_ && dt > transit_ ? most_solve_effort
                                                                                 : std::numeric_limits<double>::infinity()};
   const IslandResult result = islands_.solve(model_, system_, contacts_, settings, dt, d);
   totals_.iterations += result.solves;
@@ -367,7 +384,7 @@ void Stepper::count(const IslandResult& result) {
 // Whether nothing has moved in the step, and nothing did before it.
 bool Stepper::all_still() const {
   if (!islands_.all_rest()) return false;
-  return std::ranges::all_of(model_.held_blocks, [this](int b) { return stands_still(model_.blocks[b].velocity); });
+  return std::ranges::all_of(model_.held_blocks, [this](int b) { return stands_still(model_, b); });
 }
 
 std::optional<ContactBooking> Stepper::contacts_at_start() {
@@ -389,7 +406,7 @@ double Stepper::accept(std::vector<BlockState>& moved, const Scheme& scheme, con
       if (islands_.rest(b) != Rest::moves) model_.blocks[b].velocity.fill(0);
   if (motion && bridge_motion_.any()) ledger_.numerical_flow += bridge_motion_.shift_loss(model_, scheme, d);
   const double dissipated = ledger_.friction_work + ledger_.viscous_work;
-  if (motion) book_motion({model_, poses_, system_, supports_, scheme, d, moved}, ledger_);
+  if (motion) book_motion({model_, poses_, system_, joints_, supports_, scheme, d, moved}, ledger_);
   if (motion && plan_.fixities && scheme.bond_ahead > 0) model_.support_gaps = supports_.gaps_after(model_, poses_, scheme, d);
   model_.blocks.swap(moved);
   for (const int b : model_.awake_blocks()) model_.place_vertices(b);

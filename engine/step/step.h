@@ -105,6 +105,7 @@ class Stepper {
     IslandResult result;
     Vector d;                              // m, of the unknowns
     bool past = false;                     // contacts that it did not have
+    bool woke = false;                     // something that sleeps, by what it throws
     double far = 0;                        // m, that bounds the step
     int crushed = -1;                      // block
     double released = 0;                   // J/m, by bonds that fail in it, but for what their contacts begin with
@@ -118,7 +119,7 @@ class Stepper {
   bool breaks(double dt, StepReport& report);
   void judge_again();
   void change_step(double ahead);
-  void fail(const std::vector<int>& due, double time, bool motion);
+  void fail(const std::vector<int>& due, double time, bool motion, const std::vector<BondTraction>& judged = {});
   double contacts_of_events() const;
   double elastic_energy(double ahead);
   bool settled(const Scheme& scheme, const Vector& d);
@@ -166,10 +167,17 @@ class Stepper {
   std::vector<double> nearness_;  // of contacts, per block; empty: 1 (ContactTerms::linearise)
   std::unique_ptr<Gas> gas_;            // where there are charges
   std::unique_ptr<Fracture> fracture_;  // where bonds can fail
+  double transit_ = 0;                  // s, Fracture::least_transit() of the present revision
   std::string collapse_;
   int short_increments_ = 0;  // of load, one after the other
   double pace_ = 0;           // 1/s, at which utilisations came up with the last of them
   long revision_ = -1;
+  // Part of its cohesion with which a contact is pressed that has it. With every attempt that finds no solution more: where cohesion lifts what presses
+  // it, the law may have none.
+  double pressed_ = ContactTerms::least_pressed;
+  // Solves of an attempt for the jumps of bonds, each of which leaves some hundredth of what was missing.
+  int again_ = 0;
+  static constexpr int most_again = 5;
   double split_anew_ = 0;  // IslandResult's, of an attempt at a step
   bool weighed_late_ = true;  // some block is not weighed at y, or may not be
   double effort_ = 0;  // of the solves of an attempt at a step, in factors

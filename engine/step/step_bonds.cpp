@@ -49,15 +49,17 @@ bool Stepper::breaks(double dt, StepReport& report) {
   StepTimer timer(totals_, "fracture");
   judged_astray_ = true;  // until the step is accepted
   std::vector<int> due;
+  std::vector<BondTraction> judged;
   {
     const Lent lent(model_, moved_);
     joints_.store_tractions(model_);
     report.utilisation = std::max(report.utilisation, fracture_->judge());
-    if (dt >= fracture_->least_transit()) due = fracture_->choose(true);
+    if (dt >= transit_) due = fracture_->choose(true);
+    for (const int j : due) judged.push_back(mean_traction(model_.joints[j]));
   }
   if (due.empty()) return false;
   joints_.store_tractions(model_);
-  fail(due, model_.time + dt, true);
+  fail(due, model_.time + dt, true, judged);
   return true;
 }
 
@@ -71,7 +73,7 @@ void Stepper::judge_again() {
 
 // In motion the blocks beside keep as strain what the jump of their bond was to them. Where they strain more than their bond would let
 // them, as in an impact on few blocks, its potential is below nought: without it, and without that strain, they would have more energy.
-void Stepper::fail(const std::vector<int>& due, double time, bool motion) {
+void Stepper::fail(const std::vector<int>& due, double time, bool motion, const std::vector<BondTraction>& judged) {
   if (due.empty()) return;
   const double before = elastic_energy(ledger_.ahead), before_at_x = elastic_energy(0);
   if (motion)
@@ -80,7 +82,7 @@ void Stepper::fail(const std::vector<int>& due, double time, bool motion) {
       fracture_->add_strain(model_.joints[j].a, of_a);
       fracture_->add_strain(model_.joints[j].b, of_b);
     }
-  fracture_->fail(due, time);
+  fracture_->fail(due, time, judged);
   const double released = before - elastic_energy(ledger_.ahead);
   released_ += released;
   released_on_way_ += released - (before_at_x - elastic_energy(0));

@@ -87,11 +87,10 @@ StepSize::StepSize(const Model& model, bool contacts) : caution_(caution), worth
   least_ = time.dt_min > 0 ? time.dt_min : 1e-6 * dt_;
 }
 
-void StepSize::among_cracks(double transit) {
+void StepSize::among_cracks() {
   caution_ = caution_among_cracks;
   worth_ = most_effort_among_cracks;
   growth_ = growth_among_cracks;
-  short_enough_ = transit;
   heeds_splits_ = heeds_turns_ = false;  // a chip that spins is not worth it
 }
 
@@ -101,17 +100,17 @@ void StepSize::broken(const Model& model) {
 
 double StepSize::next(double time) const {
   double target = end_;
-  if (automatic_ && every_ > 0) target = std::min(end_, every_ * (std::floor(time / every_ + 1e-6) + 1));
+  if (automatic_ && every_ > 0) target = std::min(end_, every_ * (std::floor(time / every_ + as_good_as) + 1));
   const double left = target - time;
   // A rest shorter than a part of a step is taken along; one longer than a step is shared between two.
-  if (left <= dt_ * (1 + 1e-6)) return left;
+  if (left <= dt_ * (1 + as_good_as)) return left;
   return automatic_ && left < 2 * dt_ ? left / 2 : dt_;
 }
 
 void StepSize::cut(double dt, double displacement) {
   const double bound = automatic_ ? limit_ : thinnest_;
   const double part = displacement > bound ? 0.9 * bound / displacement : 0.3;
-  dt_ = dt * std::clamp(part, 0.1, 0.5);
+  dt_ = std::max(dt * std::clamp(part, 0.1, 0.5), least_);
   if (displacement <= bound) cautious_ = caution_;
 }
 

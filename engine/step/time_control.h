@@ -12,8 +12,9 @@ double next_bend(const Scene& scene, double time);
 class StepSize {
  public:
   StepSize(const Model& model, bool contacts);
-  // Bonds can fail. transit: s, a wave's way through a block; shorter steps are not easier to solve.
-  void among_cracks(double transit);
+  void among_cracks();                   // bonds can fail
+  // s, a wave's way through a block: shorter steps are not easier to solve.
+  void short_enough(double transit) { short_enough_ = transit; }
   void broken(const Model& model);  // bonds have failed
 
   double next(double time) const;  // s, never past t_end
@@ -41,6 +42,7 @@ class StepSize {
   // effort: what the solution took, in factors. split_anew: part of what moves whose contacts only the splitting solved, where it did not before.
   void accepted(double dt, double displacement, double effort, double split_anew);
   double least() const { return least_; }
+  bool is_least(double dt) const { return dt <= least_ * (1 + 2 * as_good_as); }
   // The bounds come from the scene; a restart may have set others.
   template <class Visitor>  // of the registry, model/registry.h
   void visit_state(Visitor& visitor) {
@@ -51,6 +53,7 @@ class StepSize {
   }
 
  private:
+  static constexpr double as_good_as = 1e-6;  // of a step, by which it may be longer, to end at what is to be met
   // rad a step: what rolls or topples then lands as it would in short steps. Measured: verification, rolling.
   static constexpr double most_turn = 0.05;
   double limit_;     // m, displacement a step

@@ -27,7 +27,7 @@ void move_block(const Model& model, const Scheme& scheme, const Vector& d, int b
   }
   moved.shift += Vec2(move[0], move[1]);
   moved.centroid = shape.reference_centroid + moved.shift;
-  moved.angle += move[2] / shape.length;
+  moved.angle += shape.turn(move[2] / shape.length);
   moved.strain += Vec3(move[3], move[4], move[5]) / shape.length;
   for (int k = first_order_dofs; k < size; ++k) moved.bend[k - first_order_dofs] += move[k];
   if (shape.dofs > rigid_dofs && scheme.step_v > 0) {

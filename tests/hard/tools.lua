@@ -15,7 +15,7 @@ end
 
 -- local gain = tools.gains(sim): gain(), after every step, is the most that a step has added to the total energy, of what moved and was stored before it.
 function tools.gains(sim)
-  local function now(energy) return energy.total, energy.kinetic + energy.strain + energy.contact end
+  local function now(energy) return energy.total, energy.kinetic + energy.strain + (energy.contact or 0) end
   local total, moving = now(sim.energy)
   local most = 0
   return function()

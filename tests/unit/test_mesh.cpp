@@ -4,6 +4,7 @@
 #include <functional>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
 #include <unordered_set>
 
 #include "hand_model.h"
@@ -130,24 +131,24 @@ TEST(Mesh, IsTheSameEveryTime) {
   EXPECT_TRUE(test::same(mesh(input, uniform(0.1), plenty), mesh(input, uniform(0.1), plenty)));
 }
 
-// Far away and larger: the same triangles, their places moved but for round-off.
-TEST(Mesh, DoesNotDependOnOriginAndUnit) {
-  const auto made = [](const Vec2& shift, double unit) {
+// Far away, turned and larger: the same triangles, their places moved but for round-off.
+TEST(Mesh, DoesNotDependOnOriginTurnAndUnit) {
+  const auto moved = [](const Vec2& p, const Vec2& shift, double turn, double unit) -> Vec2 {
+    return shift + unit * (std::cos(turn) * p + std::sin(turn) * perp(p));
+  };
+  const auto made = [&](const Vec2& shift, double turn, double unit) {
     TessellationInput input{rectangle(0, 0, 3, 2), {polygon_of_circle({1, 1}, 0.3, 20)}, {{{0, 0.3}, {2, 1.7}}}};
-    const auto move = [&](Polyline& line) {
-      for (Vec2& p : line) p = shift + unit * p;
-    };
-    move(input.outline);
-    move(input.holes[0]);
-    move(input.traces[0]);
+    for (Polyline* line : {&input.outline, &input.holes[0], &input.traces[0]})
+      for (Vec2& p : *line) p = moved(p, shift, turn, unit);
     return mesh(input, uniform(0.1 * unit), plenty);
   };
-  const Tessellation near = made({0, 0}, 1);
-  for (const auto& [shift, unit] : {std::pair(Vec2(1e4, -3e4), 1.0), std::pair(Vec2(0, 0), 1000.0)}) {
-    const Tessellation t = made(shift, unit);
-    ASSERT_EQ(t.cells, near.cells);
+  const Tessellation near = made({0, 0}, 0, 1);
+  for (const auto& [shift, turn, unit] : {std::tuple(Vec2(1e4, -3e4), 0.0, 1.0), std::tuple(Vec2(0, 0), 0.0, 1000.0), std::tuple(Vec2(0, 0), 0.7, 1.0),
+                                          std::tuple(Vec2(1, 2), 2.0, 30.0), std::tuple(Vec2(1e4, 1e4), -1.9, 1.0)}) {
+    const Tessellation t = made(shift, turn, unit);
+    ASSERT_EQ(t.cells, near.cells) << turn;
     for (std::size_t p = 0; p < t.points.size(); ++p)
-      EXPECT_NEAR((t.points[p] - shift - unit * near.points[p]).norm(), 0, 1e-9 * unit);
+      EXPECT_NEAR((t.points[p] - moved(near.points[p], shift, turn, unit)).norm(), 0, 1e-9 * unit);
   }
 }
 

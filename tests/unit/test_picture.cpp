@@ -198,7 +198,7 @@ TEST(Picture, MarksFixitiesLoadsAndFailedJoints) {
   model.joints[0].state = JointState::failed;
   model.joints[0].mode = FailureMode::tension;
   model.scene.fixities.resize(1);
-  model.point_fixities = {{.fixity = 0, .block = 0, .in_block = {-0.5, -0.5}, .stiffness = 1}};
+  model.point_fixities = {{.fixity = 0, .block = 0, .in_block = {-0.5, -0.5}}};
   PointLoad load;
   load.force = {History(0), History(-5000)};
   model.scene.point_loads = {load};

@@ -77,6 +77,20 @@ TEST(Sleep, AHeldBlockThatComesNearWakes) {
   expect_same(pressed(true), pressed(false), 80, 20);
 }
 
+// A hit in the midst of a step throws the second block into the third, which nothing had come near as the step began.
+TEST(Sleep, WhatIsThrownWithinAStepWakesWhatItMeets) {
+  const auto thrown = [](bool sleeping) {
+    Region shot = region("shot", rectangle(-6.05, 0, 1, 1));
+    shot.velocity = {90, 0};
+    Scene scene = moving({region("floor", rectangle(-10, -5, 20, 1)), shot, region("struck", rectangle(0, 0, 1, 1)), region("met", rectangle(1.12, 0, 1, 1))},
+                         sleeping);
+    scene.gravity = {0, 0};
+    scene.time.settled_start = false;
+    return scene;
+  };
+  expect_same(thrown(true), thrown(false), 12, 4);
+}
+
 TEST(Sleep, ContactsOfWhatSleepsStandFirst) {
   Simulation simulation(pressed(true));
   for (int i = 0; i < 5; ++i) simulation.step();
