@@ -56,13 +56,14 @@ const Contact* predecessor(const Model& model, const Contact& c, const std::vect
   return nullptr;
 }
 
-// m, how deep a contact is at the places y = X + (θ-½)Δt v that the scheme looks at (theory, § 2).
+// m, how deep a contact is at the places y = X + (θ-½)Δt v that the scheme looks at (theory, § 2), as the step begins.
 double depth_ahead(const Model& model, const Contact& c, double dt) {
   const double shift = judged_ahead(model.scene.numerics, dt);
   const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c);
   const double gap = normal.dot(at - model.vertex[c.global_edge]);
   const Vec2 foot = at - gap * normal;
-  return -(gap + c.offset) - shift * normal.dot(model.corner_velocity(c.i, c.vertex) - model.velocity_on_edge(c.j, c.edge, foot));
+  const Vec2 apart = model.corner_velocity(c.i, c.vertex) - model.rising(c.i) - model.velocity_on_edge(c.j, c.edge, foot) + model.rising(c.j);
+  return -(gap + c.offset) - shift * normal.dot(apart);
 }
 
 // Met already overlapping, or touching and so fast that y overlaps: not a load (docs/theory.md). What is still apart may

@@ -85,7 +85,7 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
       approach = dot(row.normal_i, vi, n) + dot(row.normal_j, vj, n);
       sliding = dot(row.shear_i, vi, n) + dot(row.shear_j, vj, n);
     });
-    row.gap0 = gap + contact.offset + scheme.contact_v * approach;
+    row.gap0 = gap + contact.offset + scheme.contact_v * approach + scheme.bond_ahead * normal.dot(model.rising(contact.i) - model.rising(contact.j));
     if (contact.lies) row.gap0 = scheme.dt * approach - contact.normal_force / contact.normal_stiffness;
     row.rounding = contact.lies ? 0 : rounding_of_gap(model, contact);
     row.slide0 = contact.stretch + scheme.step_v * sliding +

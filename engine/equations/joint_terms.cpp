@@ -35,19 +35,24 @@ bool is_intact(const Model& model, const Joint& joint) {
   return joint.state == JointState::intact && !model.sleeps(joint.a) && !model.sleeps(joint.b);
 }
 
-// J/m, of what may stay wrong in bonds, of the kinetic energy that a step begins with: a tenth of what a step may add unexplained.
+// Of the kinetic energy that a step begins and ends with, what may stay wrong in bonds: a tenth of what a step may add.
 constexpr double allowed_energy = 1e-7;
 
-double kinetic(const Model& model, int block) {  // J/m, but for strains
-  const auto& v = model.blocks[block].velocity;
+double kinetic(const Model& model, int block, const Scheme& scheme, const Vector& d) {  // J/m, at both ends of the step, but for strains
   const BlockShape& shape = model.shapes[block];
-  return model.mass(block) / 2 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] * (shape.xx + shape.yy) / (shape.area * shape.area));
+  const std::array about{1.0, 1.0, (shape.xx + shape.yy) / (shape.area * shape.area)};
+  double sum = 0;
+  for (int k = 0; k < rigid_dofs; ++k) {
+    const double before = model.blocks[block].velocity[size_t(k)], after = before + (shape.dofs > 0 ? scheme.velocity_d * d[shape.dof_begin + k] : 0);
+    sum += about[size_t(k)] * (before * before + after * after);
+  }
+  return model.mass(block) / 2 * sum;
 }
 
-double kinetic_of_joints(const Model& model) {
+double kinetic_of_joints(const Model& model, const Scheme& scheme, const Vector& d) {
   double sum = 0;  // a block counts with each of its bonds: an order of magnitude is enough
   for (const Joint& joint : model.joints)
-    if (is_intact(model, joint)) sum += (kinetic(model, joint.a) + kinetic(model, joint.b)) / 4;
+    if (is_intact(model, joint)) sum += (kinetic(model, joint.a, scheme, d) + kinetic(model, joint.b, scheme, d)) / 4;
   return sum;
 }
 
@@ -157,7 +162,7 @@ bool JointTerms::may_disagree(const Model& model, const Scheme& scheme, const Ve
     const double off = (std::abs(before) + std::abs(faster) / 2) * std::abs(faster) * apart;
     energy += std::max(stiffness_[j][0], stiffness_[j][1]) * joint.length * off * off / 2;
   }
-  return energy > 0 && energy > allowed_energy * kinetic_of_joints(model);
+  return energy > 0 && energy > allowed_energy * kinetic_of_joints(model, scheme, d);
 }
 
 bool JointTerms::agrees(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d, const std::vector<BlockState>& moved) {
@@ -170,7 +175,7 @@ bool JointTerms::agrees(const Model& model, const Poses& poses, const Scheme& sc
     const std::array after = {flown(model.shapes[joint.a], moved[joint.a], 0), flown(model.shapes[joint.b], moved[joint.b], 0)};
     energy += with_size(touches_second_order(joint), [&](auto n) { return find_missing<n>(model, poses, ends, scheme, int(j), d, after); });
   }
-  return energy <= allowed_energy * kinetic_of_joints(model);
+  return energy <= allowed_energy * kinetic_of_joints(model, scheme, d);
 }
 
 // J/m, of the difference from what it was.

@@ -108,6 +108,11 @@ Vec3 Model::stress(int block, const Vec2& in_block) const {
   return turn_stress(Rotation::of(state.angle), initial + elasticity(material(block)) * strain);
 }
 
+Vec2 Model::rising(int block) const {
+  if (held_rising.empty() || shapes[block].dofs > 0) return Vec2::Zero();
+  return held_rising[size_t(std::lower_bound(held_blocks.begin(), held_blocks.end(), block) - held_blocks.begin())];
+}
+
 double Model::faster_along(int block, const std::array<double, max_dofs>& row) const {
   if (held_faster.empty() || shapes[block].dofs > 0) return 0;
   const auto& faster = held_faster[size_t(std::lower_bound(held_blocks.begin(), held_blocks.end(), block) - held_blocks.begin())];

@@ -320,6 +320,7 @@ class Model {
   std::vector<int> held_blocks;  // those without unknowns, rising
   // m/s, of each of held_blocks where they move: by how much its rates differ in this step from those in the last.
   std::vector<std::array<double, rigid_dofs>> held_faster;
+  std::vector<Vec2> held_rising;  // m/s, of each held block, its velocity as the step ends less that on its mean, blocks[b].velocity
   std::unordered_map<std::int64_t, int> pair_property;  // unbonded interfaces: (a, b) with a < b -> property
   int dofs = 0;
   std::vector<std::string> notes;  // what building it has to tell the user
@@ -333,6 +334,7 @@ class Model {
     return std::views::iota(0, int(shapes.size())) | std::views::filter([this](int block) { return !sleeps(block); });
   }
   double faster_along(int block, const std::array<double, max_dofs>& row) const;  // m/s, of a held block; of another 0
+  Vec2 rising(int block) const;  // likewise
   bool sleeps(const Contact& c) const { return sleeps(c.i) || sleeps(c.j); }
   // To be called by whoever changes materials, joint properties, loads, supports or states of blocks between steps: all wake. (A state of what sleeps
   // that is changed without is lost: steps keep two copies, by turns.)

@@ -51,7 +51,7 @@ class Progress {
  public:
   explicit Progress(bool terminal);
   void after_step(const Simulation& simulation);
-  void done(const Simulation& simulation);
+  void done(const Simulation& simulation, bool ended);  // as it was asked to, or by something else
 
  private:
   bool terminal_;

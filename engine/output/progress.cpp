@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <limits>
 
 #include "step/clock.h"
 #include "output/output.h"
@@ -41,11 +42,12 @@ std::string progress_line(const StepReport& step, double t_end, double running) 
   return line;
 }
 
-std::string done_line(long steps, long blocks, double cpu, const std::string& folder) {
+std::string done_line(double stopped_at, long steps, long blocks, double cpu, const std::string& folder) {
   const auto count = [](long n, const std::string& thing) {
     return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
   };
-  return "done: " + count(steps, "step") + ", " + count(blocks, "block") + ", " + fixed(cpu, cpu < 10 ? 2 : 0) +
+  const std::string how = std::isnan(stopped_at) ? "done" : "stopped at t = " + significant(stopped_at, 4) + " s";
+  return how + ": " + count(steps, "step") + ", " + count(blocks, "block") + ", " + fixed(cpu, cpu < 10 ? 2 : 0) +
          " s CPU" + (folder.empty() ? "" : "; results in " + folder);
 }
 
@@ -63,11 +65,16 @@ void Progress::after_step(const Simulation& simulation) {
   std::cerr << (terminal_ ? clear_line : "") << line << (terminal_ ? "" : "\n") << std::flush;
 }
 
-void Progress::done(const Simulation& simulation) {
+void Progress::done(const Simulation& simulation, bool ended) {
   if (terminal_ && last_ > 0) std::cerr << clear_line;
   double cpu = 0;  // of this simulation: its script may have others
   for (const RunTotals::Part& part : simulation.totals.parts) cpu += part.seconds;
-  std::cerr << done_line(simulation.totals.steps, static_cast<long>(simulation.model.shapes.size()), cpu, simulation.model.scene.output.dir)
+  const RunTotals& totals = simulation.totals;
+  if (totals.inaccurate > 0)
+    std::cerr << "note: the error of " << totals.inaccurate << " of " << totals.steps
+              << " steps was beyond time.tolerance at the least step there is: something jumps or rings in them, which shorter ones do not cure; order = \"rigid\", a fixed "
+                 "time.dt or a larger dt_min leave out the ringing of blocks\n";
+  std::cerr << done_line(ended ? std::numeric_limits<double>::quiet_NaN() : simulation.model.time, totals.steps, static_cast<long>(simulation.model.shapes.size()), cpu, simulation.model.scene.output.dir)
             << std::endl;
 }
 

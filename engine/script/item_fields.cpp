@@ -159,14 +159,28 @@ std::vector<ViewField> view_fields(ViewKind kind) {
   return fields;
 }
 
+namespace {
+
+// What other programs call it, where that is here under another name: nearer than what is spelled alike.
+std::string usual_name(const std::string& name, const std::vector<std::string>& known) {
+  constexpr std::pair<const char*, const char*> usual[] = {{"vx", "velocity"}, {"vy", "velocity"}, {"v", "velocity"}, {"speed", "velocity"}, {"omega", "spin"},
+                                                           {"angle", "rotation"}, {"sx", "sxx"}, {"sy", "syy"}, {"x", "centroid"}, {"y", "centroid"}};
+  for (const auto& [theirs, ours] : usual)
+    if (name == theirs && std::find(known.begin(), known.end(), ours) != known.end()) return ours;
+  return name;
+}
+
+}  // namespace
+
 ItemField::ItemField(lua_State* L, ViewKind kind, const std::string& name) {
   for (const ShownField& field : shown_fields(kind)) {
     if (name == field.name) shown_ = &field;
   }
   if (!shown_) field_ = find_field(registry_fields(kind), name);
   if (shown_ || field_) return;
+  const std::vector<std::string> known = field_names(kind);
   throw ScriptError(ErrorKind::input, user_place(L).text() + ": a " + item_word(kind) + " has no field \"" + name +
-                                          '"' + suggestion(name, field_names(kind)));
+                                          '"' + suggestion(usual_name(name, known), known));
 }
 
 void ItemField::push(lua_State* L, Run& run, int id) const {

@@ -58,7 +58,7 @@ struct Nothing {
   std::string text;
 } nothing;
 
-// What stands in for a part of Lua that scenes do not have, where a message is about one.
+// The message with what stands in for a part of Lua that scenes do not have; ours, where it is of an item that there is not.
 std::string instead(lua_State* L, std::string_view message) {
   constexpr std::pair<std::string_view, const char*> missing[] = {
       {"(global 'io')",
@@ -68,9 +68,9 @@ std::string instead(lua_State* L, std::string_view message) {
       {"(global 'loadfile')", "; a scene has no files: parts of it come by require"},
       {"(global 'debug')", "; a scene has no debug library"}};
   for (const auto& [name, advice] : missing)
-    if (message.ends_with(name)) return advice;
+    if (message.ends_with(name)) return std::string(message) + advice;
   const bool of_nothing = message.find("attempt to index a nil value (field ") != message.npos;
-  return of_nothing && !nothing.text.empty() && user_place(L).text() == nothing.place.text() ? "; " + nothing.text : "";
+  return of_nothing && !nothing.text.empty() && user_place(L).text() == nothing.place.text() ? nothing.place.text() + ": " + nothing.text : std::string(message);
 }
 
 int message_handler(lua_State* L) {
@@ -79,7 +79,7 @@ int message_handler(lua_State* L) {
   if (lua_type(L, 1) != LUA_TSTRING && lua_type(L, 1) != LUA_TNUMBER && luaL_getmetafield(L, 1, "__tostring") == LUA_TNIL)
     message = user_place(L).text() + ": an error without a text: error(…) was given " +
               (lua_isnil(L, 1) ? "nothing" : std::string("a ") + luaL_typename(L, 1));
-  message += instead(L, message);
+  message = instead(L, message);
   if (!raised_in_library(L)) {
     push_error(L, ErrorKind::input, message);
     return 1;

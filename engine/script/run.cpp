@@ -107,14 +107,14 @@ void Run::start_output(const RunSettings& settings) {
   });
   after_steps(handlers_.on_step, [this](Simulation&) { call_handler(*handlers_.on_step); });
   after_steps(handlers_.stop, [this](Simulation& s) {
-    if (call_handler(*handlers_.stop)) s.stop();
+    if (call_handler(*handlers_.stop, {}, true)) s.stop();
   });
   if (!settings.progress) return;
   progress_.emplace(isatty(STDERR_FILENO) == 1);
   simulation.on_step.emplace_back([this](Simulation& s) { progress_->after_step(s); });
 }
 
-bool Run::call_handler(const LuaFunction& handler, const std::function<int(lua_State*)>& more) {
+bool Run::call_handler(const LuaFunction& handler, const std::function<int(lua_State*)>& more, bool asks) {
   const PhaseScope handling(phase_, Phase::handling);
   const InterruptsHeld let_through(false);
   lua_State* L = handler.state();
@@ -124,8 +124,11 @@ bool Run::call_handler(const LuaFunction& handler, const std::function<int(lua_S
     push_simulation(L, self_.lock());
     const int own = more ? more(L) : 0;
     protected_call(L, 1 + own, 1);
-    const bool truth = lua_toboolean(L, -1);
+    const bool truth = lua_toboolean(L, -1), answers = lua_isboolean(L, -1) || lua_isnil(L, -1);
+    const std::string given = asks && !answers ? describe(L, -1) : "";
     lua_pop(L, 1);
+    if (asks && !answers)
+      throw LawError(simulation.model.scene.time.place.text() + ": simulation.stop: expected true, false or nothing to be returned, got " + given);
     return truth;
   } catch (const ScriptError& error) {
     if (error.kind != ErrorKind::input) throw;
@@ -251,7 +254,7 @@ std::string Run::full_outcome(const std::string& outcome) const {
 bool Run::finish(const std::string& outcome) {
   if (done_) return false;
   done_ = true;
-  if (began_ && progress_) progress_->done(simulation);
+  if (began_ && progress_) progress_->done(simulation, outcome.empty() && failure_.empty());
   if (output_) output_->finish(simulation, full_outcome(outcome), checks_, results_);
   return true;
 }

@@ -84,7 +84,7 @@ class Run {
   std::uint64_t layout() const;  // of the tables that save() writes
   void check_restart(const Restart& restart) const;
   // Calls it with the simulation and the values that `more` pushes and counts; whether its result is true.
-  bool call_handler(const LuaFunction& handler, const std::function<int(lua_State*)>& more = {});
+  bool call_handler(const LuaFunction& handler, const std::function<int(lua_State*)>& more = {}, bool asks = false);  // asks: for true or false
 
   RunHandlers handlers_;
   std::weak_ptr<Run> self_;

@@ -145,7 +145,9 @@ int view_index_by_name(lua_State* L, const TableView& view, const std::string& n
     known.emplace_back(method);
   }
   if (view.kind != ViewKind::probes) {
-    refuse(L, std::string("sim.") + item_word(view.kind) + "s has no \"" + name + '"' + suggestion(name, known));
+    const std::string list = std::string("sim.") + item_word(view.kind) + "s", near = nearest(name, known);
+    const std::string hint = near.empty() ? "; they go by number, " + list + "[1], or by " + list + ":where { … }" : suggestion(name, known);
+    refuse(L, list + " has no \"" + name + '"' + hint);
   }
   known.clear();
   for (const Probe& probe : model.scene.probes) known.push_back(probe.name);

@@ -1,4 +1,6 @@
 // history.csv and the schedule of output times, on real runs of small scenes.
+#include <limits>
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -314,8 +316,10 @@ TEST(Progress, Lines) {
   EXPECT_EQ(progress_line(step, 1, 2), "t 0.123 s (12 %)  step 456  dt 1.0e-03 s  it 3  contacts 120  ETA 15 s");
   EXPECT_EQ(progress_line(step, 0.123, 2), "t 0.123 s (100 %)  step 456  dt 1.0e-03 s  it 3  contacts 120");
   EXPECT_NE(progress_line(step, 100, 60).find("ETA 13.5 h"), std::string::npos);
-  EXPECT_EQ(done_line(1, 1340, 0.084, ""), "done: 1 step, 1340 blocks, 0.08 s CPU");
-  EXPECT_EQ(done_line(2, 1, 12.4, "out/a"), "done: 2 steps, 1 block, 12 s CPU; results in out/a");
+  const double ended = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(done_line(ended, 1, 1340, 0.084, ""), "done: 1 step, 1340 blocks, 0.08 s CPU");
+  EXPECT_EQ(done_line(ended, 2, 1, 12.4, "out/a"), "done: 2 steps, 1 block, 12 s CPU; results in out/a");
+  EXPECT_EQ(done_line(0.06, 3, 2, 0.02, ""), "stopped at t = 0.06 s: 3 steps, 2 blocks, 0.02 s CPU");
 }
 
 }  // namespace
