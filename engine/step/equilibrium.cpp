@@ -246,15 +246,17 @@ double Stepper::hold_and_leave(bool stick, const std::vector<BlockState>& moved,
 
 void Stepper::give_up(const Equilibrium& search) const {
   if (search.last.singular_block >= 0) give_up(search.last, 0);
+  const bool loose = !plan_.held_blocks && !plan_.fixities && !plan_.viscous;
+  const std::string held = loose ? ". Nothing in the scene is held: give its base held = true, or a talus.fix" : "";
   if (search.left >= 0)
-    throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s near the last one: " + block_name(model_, search.left) +
-                   " topples or falls: hold it, or run the scene as dynamic");
+    throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: on the way to one " + block_name(model_, search.left) +
+                   " topples or falls: hold it, or run the scene as dynamic" + held);
   const std::string alternating = search.alternation.text(model_);
   throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: " +
                  block_name(model_, culprit(search)) + " keeps moving. " +
                  (!alternating.empty()
                       ? "In " + std::to_string(search.report.iterations) + " solves " + alternating
-                      : "Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic"));
+                      : "Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic") + held);
 }
 
 int Stepper::culprit(const Equilibrium& search) const {
