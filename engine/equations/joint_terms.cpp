@@ -23,12 +23,9 @@ std::array<double, 2> spring_stiffness(const Model& model, const Joint& joint) {
   return {normal, normal * property.shear_ratio};
 }
 
-template <int n>
-ColumnOf<n> solution_of(const Model& model, int block, const Vector& d) {
-  ColumnOf<n> own = ColumnOf<n>::Zero();
-  const BlockShape& shape = model.shapes[block];
-  own.head(shape.dofs) = d.segment(shape.dof_begin, shape.dofs);
-  return own;
+// Joint axes for the springs: the mean of the two blocks' turned normals.
+Mat2 stiffness_about(const Vec2& normal, const std::array<double, 2>& along) {
+  return along[0] * normal * normal.transpose() + along[1] * perp(normal) * perp(normal).transpose();
 }
 
 bool is_intact(const Model& model, const Joint& joint) {
@@ -107,10 +104,7 @@ template <int size>
   const RowsOf<size> zero = RowsOf<size>::Zero();
   RowsOf<size> sa = exact && !varies ? a.flux<size>({}) : zero, sb = exact && !varies ? b.flux<size>({}) : zero;
   Vec2 flux = exact && !varies ? mean_flux(a, b, scheme.bond_v) : Vec2(0, 0);
-  // Joint axes for the springs: the mean of the two blocks' turned normals.
-  const Vec2 n = turned_normal(joint, a.pose, b.pose);
-  const auto [kn, ks] = stiffness_[j];
-  const Mat2 stiffness = kn * n * n.transpose() + ks * perp(n) * perp(n).transpose();
+  const Mat2 stiffness = stiffness_about(turned_normal(joint, a.pose, b.pose), stiffness_[j]);
 
   const Jump<size> jump(model, ends, joint, scheme);
   MatrixOf<size> kaa = MatrixOf<size>::Zero(), kbb = kaa, kab = kaa;
@@ -139,7 +133,7 @@ template <int size>
   const BlockShape &shape_a = model.shapes[joint.a], &shape_b = model.shapes[joint.b];
   system.add_force(shape_a, joint.a, fa);
   system.add_force(shape_b, joint.b, fb);
-  const double scale = std::max(a.pose.shift.norm(), b.pose.shift.norm()), stiff = std::max(kn, ks) * joint.length;
+  const double scale = std::max(a.pose.shift.norm(), b.pose.shift.norm()), stiff = std::ranges::max(stiffness_[j]) * joint.length;
   system.add_rounding(joint.a, stiff, scale);
   system.add_rounding(joint.b, stiff, scale);
   if (shape_a.dofs) system.matrix.add(slots_[j].aa, false, kaa);
@@ -160,7 +154,7 @@ bool JointTerms::may_disagree(const Model& model, const Scheme& scheme, const Ve
     const double before = spin_of(model, joint) * scheme.dt, faster = (change(joint.a) + change(joint.b)) / 2;
     const double apart = (model.blocks[joint.b].centroid - model.blocks[joint.a].centroid).norm();
     const double off = (std::abs(before) + std::abs(faster) / 2) * std::abs(faster) * apart;
-    energy += std::max(stiffness_[j][0], stiffness_[j][1]) * joint.length * off * off / 2;
+    energy += std::ranges::max(stiffness_[j]) * joint.length * off * off / 2;
   }
   return energy > 0 && energy > allowed_energy * kinetic_of_joints(model, scheme, d);
 }
@@ -184,7 +178,7 @@ double JointTerms::find_missing(const Model& model, const Poses& poses, const En
                                 const std::array<Pose, 2>& after) {
   const Joint& joint = model.joints[j];
   const Pose &a = poses.blocks[joint.a], &b = poses.blocks[joint.b];
-  const ColumnOf<size> d_a = solution_of<size>(model, joint.a, d), d_b = solution_of<size>(model, joint.b, d);
+  const ColumnOf<size> d_a = of_block<size>(model.shapes[joint.a], d), d_b = of_block<size>(model.shapes[joint.b], d);
   const Jump<size> jump(model, ends, joint, scheme);
   double energy = 0;
   for (int k = 0; k < int(joint.points.size()); ++k) {
@@ -192,7 +186,7 @@ double JointTerms::find_missing(const Model& model, const Poses& poses, const En
     const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at), at = (a.place<size>(in_a) + b.place<size>(in_b)) / 2;
     const Vec2 linear = jump.at(in_a, in_b) + scheme.bond_d * (b.rows<size>(in_b, at) * d_b - a.rows<size>(in_a, at) * d_a);
     const Vec2 missing = jump.led_to(after[0], in_a, after[1], in_b) - linear;
-    energy += point.weight * std::max(stiffness_[size_t(j)][0], stiffness_[size_t(j)][1]) * (missing - this->missing(j, k)).squaredNorm() / 2;
+    energy += point.weight * std::ranges::max(stiffness_[size_t(j)]) * (missing - this->missing(j, k)).squaredNorm() / 2;
     missing_[size_t(j)][size_t(k)] = missing;
   }
   return energy;
@@ -225,10 +219,8 @@ double JointTerms::loss_of_bond(const Model& model, const Poses& poses, const En
   const Side a = side_of<size>(model, poses.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
   const Side b = side_of<size>(model, poses.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
   const bool exact = joint.kind == BondKind::exact;
-  const Vec2 n = turned_normal(joint, a.pose, b.pose);
-  const auto [kn, ks] = stiffness_[j];
-  const Mat2 stiffness = kn * n * n.transpose() + ks * perp(n) * perp(n).transpose();
-  const ColumnOf<size> d_a = solution_of<size>(model, joint.a, d), d_b = solution_of<size>(model, joint.b, d), v_a = a.pose.rates<size>(), v_b = b.pose.rates<size>();
+  const Mat2 stiffness = stiffness_about(turned_normal(joint, a.pose, b.pose), stiffness_[j]);
+  const ColumnOf<size> d_a = of_block<size>(model.shapes[joint.a], d), d_b = of_block<size>(model.shapes[joint.b], d), v_a = a.pose.rates<size>(), v_b = b.pose.rates<size>();
   const ColumnOf<size> step_a = scheme.step_v * v_a + scheme.move_d * d_a, step_b = scheme.step_v * v_b + scheme.move_d * d_b;
   const double w_d = scheme.bond_d - scheme.move_d / 2;
   const Jump<size> jump(model, ends, joint, scheme);

@@ -57,13 +57,6 @@ Held<n> held_at(const Model& model, const SupportPoint& point, const Pose& pose,
   return h;
 }
 
-template <int n>
-ColumnOf<n> of_block(const BlockShape& shape, const Vector& x) {
-  ColumnOf<n> c = ColumnOf<n>::Zero();
-  for (int k = 0; k < shape.dofs; ++k) c[k] = x[shape.dof_begin + k];
-  return c;
-}
-
 }  // namespace
 
 void Supports::prepare(const Model& model, const std::vector<double>& edge_stiffness) {

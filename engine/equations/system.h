@@ -1,11 +1,20 @@
 #pragma once
 // The linear part of a step: K d = f for everything but contacts.
+#include <algorithm>
 #include <limits>
 
 #include "equations/block_matrix.h"
 #include "equations/kinematics.h"
 
 namespace talus {
+
+// A block's part of a vector of all unknowns, padded with noughts; of one with more than n unknowns the first.
+template <int n>
+ColumnOf<n> of_block(const BlockShape& shape, const Vector& x) {
+  ColumnOf<n> own = ColumnOf<n>::Zero();
+  for (int k = 0; k < std::min(shape.dofs, n); ++k) own[k] = x[shape.dof_begin + k];
+  return own;
+}
 
 struct System {
   BlockMatrix matrix;

@@ -108,14 +108,17 @@ Vec3 Model::stress(int block, const Vec2& in_block) const {
   return turn_stress(Rotation::of(state.angle), initial + elasticity(material(block)) * strain);
 }
 
+std::size_t Model::held_number(int block) const {
+  return std::size_t(std::lower_bound(held_blocks.begin(), held_blocks.end(), block) - held_blocks.begin());
+}
+
 Vec2 Model::rising(int block) const {
-  if (held_rising.empty() || shapes[block].dofs > 0) return Vec2::Zero();
-  return held_rising[size_t(std::lower_bound(held_blocks.begin(), held_blocks.end(), block) - held_blocks.begin())];
+  return held_rising.empty() || shapes[block].dofs > 0 ? Vec2(0, 0) : held_rising[held_number(block)];
 }
 
 double Model::faster_along(int block, const std::array<double, max_dofs>& row) const {
   if (held_faster.empty() || shapes[block].dofs > 0) return 0;
-  const auto& faster = held_faster[size_t(std::lower_bound(held_blocks.begin(), held_blocks.end(), block) - held_blocks.begin())];
+  const auto& faster = held_faster[held_number(block)];
   return std::inner_product(faster.begin(), faster.end(), row.begin(), 0.0);
 }
 

@@ -335,6 +335,7 @@ class Model {
   }
   double faster_along(int block, const std::array<double, max_dofs>& row) const;  // m/s, of a held block; of another 0
   Vec2 rising(int block) const;  // likewise
+  std::size_t held_number(int block) const;  // its place in held_blocks
   bool sleeps(const Contact& c) const { return sleeps(c.i) || sleeps(c.j); }
   // To be called by whoever changes materials, joint properties, loads, supports or states of blocks between steps: all wake. (A state of what sleeps
   // that is changed without is lost: steps keep two copies, by turns.)

@@ -17,14 +17,6 @@ ColumnOf<n> velocity_of(const Model& model, int block) {
   return Eigen::Map<const ColumnOf<n>>(model.blocks[block].velocity.data());
 }
 
-template <int n>
-ColumnOf<n> solution_of(const Model& model, int block, const Vector& d) {
-  ColumnOf<n> own = ColumnOf<n>::Zero();
-  const BlockShape& shape = model.shapes[block];
-  for (int k = 0; k < std::min(shape.dofs, n); ++k) own[k] = d[shape.dof_begin + k];
-  return own;
-}
-
 // Loss of the linear forces along X. They are those of ȳ = (1-β) y0 + β y1; with X̄ = (X0 + X1)/2 and w = ȳ - X̄
 //   -f·ΔX = U(X1) - U(X0) + ΔX·K w.
 // K ΔX is nothing where a body turns as one, which the classic (θ-½) Δv·MΔv is not. K is what the system's matrix
@@ -37,7 +29,7 @@ void book_linear(const BookedStep& s, Ledger& ledger) {
     const BlockShape& shape = model.shapes[b];
     if (shape.dofs == 0) continue;
     with_size(shape.second_order(), [&](auto n) {
-      const ColumnOf<n> v0 = velocity_of<n>(model, b), d = solution_of<n>(model, b, s.d);
+      const ColumnOf<n> v0 = velocity_of<n>(model, b), d = of_block<n>(model.shapes[b], s.d);
       const ColumnOf<n> own = s.scheme.step_v * v0 + s.scheme.move_d * d;
       const ColumnOf<n> own_w = s.scheme.bond_v * v0 + (s.scheme.bond_d - s.scheme.move_d / 2) * d;
       step.segment(shape.dof_begin, shape.dofs) = own.head(shape.dofs);
@@ -93,7 +85,7 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   // A load that puts `force` on a block: its work along y, and what of it the way from X to y takes or gives.
   const auto load = [&](int block, const auto& force, double& work) {
     constexpr int n = std::decay_t<decltype(force)>::RowsAtCompileTime;
-    const ColumnOf<n> v0 = velocity_of<n>(model, block), d = solution_of<n>(model, block, s.d);
+    const ColumnOf<n> v0 = velocity_of<n>(model, block), d = of_block<n>(model.shapes[block], s.d);
     const double along_x = force.dot(s.scheme.step_v * v0 + s.scheme.move_d * d);
     const double shift = force.dot(after * (v0 + s.scheme.velocity_d * d) - before * v0);
     work += along_x + shift;
@@ -112,7 +104,7 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   each_gas_load(model, s.poses, [&](int block, const LoadPoint& point, const Vec2& force) {  // along X, as the law's work is
     if (model.shapes[block].dofs == 0) return;
     with_size(model.shapes[block].second_order(), [&](auto n) {
-      const ColumnOf<n> step = s.scheme.step_v * velocity_of<n>(model, block) + s.scheme.move_d * solution_of<n>(model, block, s.d);
+      const ColumnOf<n> step = s.scheme.step_v * velocity_of<n>(model, block) + s.scheme.move_d * of_block<n>(model.shapes[block], s.d);
       ledger.gas_work += force_on<n>(s.poses.blocks[block], point, force).dot(step);
     });
   });
@@ -120,7 +112,7 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
     const BlockShape& shape = model.shapes[b];
     if (shape.dofs == 0) continue;
     // Their resultant acts at the centroid: on the translation alone, of any order.
-    const DofColumn step = s.scheme.step_v * velocity_of<first_order_dofs>(model, b) + s.scheme.move_d * solution_of<first_order_dofs>(model, b, s.d);
+    const DofColumn step = s.scheme.step_v * velocity_of<first_order_dofs>(model, b) + s.scheme.move_d * of_block<first_order_dofs>(model.shapes[b], s.d);
     ledger.gravity_work += model.mass(b) * model.scene.gravity.dot(step.head<2>());
     const auto& own = model.scene.regions[shape.region].body_force;
     if (!own[0].given() && !own[1].given()) continue;
