@@ -56,7 +56,7 @@ void ContactTerms::set_rows(const Model& model, const Contact& contact, const Po
 }
 
 void ContactTerms::linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick,
-                             const std::vector<double>& nearness, double pressed) {
+                             std::span<const double> nearness, double pressed) {
   factor_ = scheme.contact_d;
   rows_.resize(model.contacts.size() - size_t(model.sleeping_contacts));
   for (size_t k = 0; k < rows_.size(); ++k) {

@@ -7,7 +7,7 @@
 #include "output/energy_plot.h"
 #include "output/output.h"
 #include "output/plot.h"
-#include "step/step.h"
+#include "step/step_parts.h"
 
 namespace talus {
 
@@ -98,7 +98,7 @@ std::vector<MovingSupport> moving_supports(Simulation& simulation, const std::ve
   std::vector<MovingSupport> supports;
   if (names.empty()) return supports;
   const Model& model = simulation.model;
-  const std::vector<Vec2> reactions = simulation.stepper().reactions(), shifts = fixity_shifts(model);
+  const std::vector<Vec2> reactions = simulation.step_parts().reactions(), shifts = fixity_shifts(model);
   for (const std::string& name : names) {
     supports.push_back({name});
     int entries = 0;

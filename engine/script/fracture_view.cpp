@@ -5,7 +5,7 @@
 
 #include "fracture/cracks.h"
 #include "script/lua_fields.h"
-#include "step/step.h"
+#include "step/step_parts.h"
 
 namespace talus {
 namespace {
@@ -96,7 +96,7 @@ void push_fragments(lua_State* L, const Model& model) {
 
 // { name of a fix = { x, y } }, N/m: of all entries of that name.
 void push_reactions(lua_State* L, Simulation& simulation) {
-  const std::vector<Vec2> reactions = simulation.stepper().reactions();
+  const std::vector<Vec2> reactions = simulation.step_parts().reactions();
   lua_newtable(L);
   for (size_t f = 0; f < reactions.size(); ++f) {
     const char* name = simulation.model.scene.fixities[f].name.c_str();

@@ -14,7 +14,7 @@
 #include "script/simulation_view.h"
 #include "script/table_view.h"
 #include "step/part_timer.h"
-#include "step/step.h"
+#include "step/step_parts.h"
 
 namespace talus {
 namespace {
@@ -77,7 +77,7 @@ std::shared_ptr<Run> Run::create(Scene scene, RunHandlers handlers, const RunSet
   } catch (const RunError& error) {
     throw ScriptError(ErrorKind::input, error.what());
   }
-  run->simulation.stepper().on_equilibrium_solve = throw_if_interrupted;
+  run->simulation.step_parts().on_equilibrium_solve = throw_if_interrupted;
   run->number_ = settings.number;
   run->command_line_ = settings.command_line;
   run->restart_ = settings.restart;

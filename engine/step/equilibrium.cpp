@@ -1,21 +1,21 @@
-// Equilibrium: of static scenes, of load steps, and the start of a settled run.
+#include "step/equilibrium.h"
+
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 
+#include "equations/block_terms.h"
 #include "equations/viscous_terms.h"
 #include "step/part_timer.h"
 #include "step/restored.h"
 #include "step/settlement.h"
-#include "step/step.h"
 #include "step/update.h"
 
 namespace talus {
 
 namespace {
 
-// Equilibrium with contacts is found by steps against a little inertia, which a loose block needs to stay
+// EquilibriumSearch with contacts is found by steps against a little inertia, which a loose block needs to stay
 // put: this part of (wave speed / size)², far below the slowest mode of what is held.
 constexpr double least_hold = 1e-4;
 // Of what gives way: it then moves in a step no farther than waves take it through the whole scene, so that the crack that takes
@@ -85,18 +85,20 @@ bool in_one_piece(const Model& model) {
 
 }  // namespace
 
-std::string Stepper::settle() {
-  Equilibrium stuck, released;
-  const auto settles = [&](bool stick, double hold, int iterations, Equilibrium& search) {
+Equilibrium::Equilibrium(StepParts& parts) : parts_(parts), model_(parts.model), plan_(parts.plan), totals_(parts.totals) {}
+
+std::string Equilibrium::settle() {
+  EquilibriumSearch stuck, released;
+  const auto settles = [&](bool stick, double hold, int iterations, EquilibriumSearch& search) {
     Restored attempt(model_);
     search.in_place = true;
-    const bool found = find_equilibrium(stick, hold, iterations, search);
+    const bool found = find(stick, hold, iterations, search);
     if (found) attempt.keep();
     return found;
   };
   if (!settles(true, 0, equilibrium_iterations, stuck)) {
-    if (stuck.last.singular_block >= 0) give_up(stuck.last, 0);
-    return "no settled start: even with joints that do not slide, " + block_name(model_, culprit(stuck)) +
+    if (stuck.last.singular_block >= 0) give_up(stuck);
+    return "no settled start: even with joints that do not slide, " + culprit(stuck) +
            " topples or falls; the run starts at rest as given";
   }
   // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
@@ -105,30 +107,29 @@ std::string Stepper::settle() {
   end_sliding(model_);
   for (Contact& contact : model_.contacts) contact.slip = 0;
   keep_viscous_tractions(model_);
-  if (fracture_) fracture_->weaken();
+  if (parts_.fracture) parts_.fracture->weaken();
   return {};
 }
 
 // What friction does not hold is strained, as it begins to slide, by what is left of it and by its own inertia: let go from
 // the strains with which it stuck, it would shake for ever. The forces that a little inertia lets it follow give its
 // acceleration, and one more solve from the same place, with that as a load, its strains.
-void Stepper::start_sliding() {
+void Equilibrium::start_sliding() {
   Vector lead;
   for (const bool last : {false, true}) {
     Restored attempt(model_);
     for (size_t b = 0; b < model_.shapes.size(); ++b)
       hold_[b] = sliding_hold * std::pow(model_.extent / model_.shapes[b].length, 2);
     hold_lead_ = lead;
-    const Scheme scheme = Scheme::equilibrium();
-    search_.update(model_, 0);
-    assemble(scheme, false);
+    parts_.search.update(model_, 0);
+    assemble(false);
     hold_lead_.resize(0);
     Vector d;
-    if (!solve(0, d).converged) return;
+    if (!solve(d).converged) return;
     if (last) {
-      std::vector<BlockState> moved = moved_blocks(model_, scheme, d);
+      std::vector<BlockState> moved = moved_blocks(model_, Scheme::equilibrium(), d);
       keep_rest(moved);
-      accept(moved, scheme, d);
+      accept(moved, d);
       attempt.keep();
     }
     lead = sliding_lead * d;
@@ -138,15 +139,15 @@ void Stepper::start_sliding() {
 }
 
 // With friction by the whole way; where that is not found, as among new cracks, by the way of each solve, whose friction gives in.
-bool Stepper::balance(Equilibrium& search) {
+bool Equilibrium::balance(EquilibriumSearch& search) {
   if (plan_.contacts) {
     Restored attempt(model_);
-    Equilibrium whole;
+    EquilibriumSearch whole;
     whole.most_solves = search.most_solves;
     whole.may_jump = search.may_jump;
     whole.in_place = search.in_place;
     whole.whole_way = true;
-    const bool found = find_equilibrium(false, 0, fracture_ ? whole_way_among_cracks : equilibrium_iterations, whole);
+    const bool found = find(false, 0, parts_.fracture ? whole_way_among_cracks : equilibrium_iterations, whole);
     if (found) attempt.keep();
     if (found || whole.last.singular_block >= 0 || whole.left >= 0) {
       search = std::move(whole);
@@ -154,10 +155,10 @@ bool Stepper::balance(Equilibrium& search) {
     }
     search.jumped = whole.jumped;
   }
-  return find_equilibrium(false, 0, equilibrium_iterations, search);
+  return find(false, 0, equilibrium_iterations, search);
 }
 
-bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibrium& search) {
+bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearch& search) {
   StepReport& report = search.report;
   OpenCloseResult& result = search.last;
   Vector& d = search.d;
@@ -173,14 +174,13 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
   int since_fall = 0;
   for (int i = 0; i < iterations && report.iterations < search.most_solves; ++i) {
     if (search.jumped && !search.may_jump) return false;
-    const Scheme scheme = Scheme::equilibrium();
     if (plan_.contacts) {
       StepTimer timer(totals_, "contact search");
-      search_.update(model_, 0);
+      parts_.search.update(model_, 0);
     }
     bridges_.take(softening.share());
-    assemble(scheme, stick);
-    result = islands_.judge(model_, system_, contacts_, i > 0 ? enough : -1);
+    assemble(stick);
+    result = parts_.islands.judge(model_, parts_.system, parts_.contacts, i > 0 ? enough : -1);
     report.residual = result.residual;
     since_fall = result.residual < 0.99 * least_residual ? 0 : since_fall + 1;
     least_residual = std::min(least_residual, result.residual);
@@ -189,7 +189,7 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
       return true;
     }
     d.resize(0);
-    result = solve(0, d);
+    result = solve(d);
     report.iterations += result.iterations;
     if (result.singular_block >= 0 && bridges_.any() && softening.less()) {
       result.singular_block = -1;
@@ -198,14 +198,14 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
       continue;
     }
     if (!result.converged && (!plan_.contacts || result.singular_block >= 0)) return false;
-    std::vector<BlockState> moved = moved_blocks(model_, scheme, d);
+    std::vector<BlockState> moved = moved_blocks(model_, Scheme::equilibrium(), d);
     const double displacement = hold_and_leave(stick, moved, least);
     if (displacement < 0) continue;
     if (bridges_.any()) softening.watch(report.residual);
     search.jumped |= softening.wears;
     report.displacement = std::max(report.displacement, displacement);
     keep_rest(moved);
-    accept(moved, scheme, d);
+    accept(moved, d);
     if (!search.whole_way) end_sliding(model_);
     if (settlement) search.left = settlement->left(model_);
     if (search.left >= 0) return false;
@@ -217,25 +217,54 @@ bool Stepper::find_equilibrium(bool stick, double hold, int iterations, Equilibr
   return false;
 }
 
+void Equilibrium::assemble(bool stick) {
+  const Scheme scheme = Scheme::equilibrium();
+  parts_.assemble(scheme, {.stick = stick});
+  add_hold(model_, hold_, hold_lead_, parts_.system);
+  if (!parts_.fracture) return;
+  bridges_.find_slots(model_, parts_.system.matrix);
+  bridges_.add(model_, parts_.poses, scheme, parts_.system);
+}
+
+IslandResult Equilibrium::solve(Vector& d) {
+  if (parts_.on_equilibrium_solve) parts_.on_equilibrium_solve();
+  return parts_.solve(0, std::numeric_limits<double>::infinity(), d);
+}
+
+// What rests stays where it is.
+void Equilibrium::keep_rest(std::vector<BlockState>& moved) {
+  for (const int b : model_.awake_blocks())
+    if (parts_.islands.rest(b) != Rest::moves) moved[b] = model_.blocks[b];
+}
+
+void Equilibrium::accept(std::vector<BlockState>& moved, const Vector& d) {
+  StepTimer timer(totals_, "update");
+  model_.blocks.swap(moved);
+  for (const int b : model_.awake_blocks()) model_.place_vertices(b);
+  if (plan_.contacts) parts_.islands.store(model_, parts_.contacts, d, false);
+  if (plan_.bonds) parts_.joints.store_tractions(model_);
+  if (parts_.fracture) bridges_.store_tractions(model_);
+}
+
 // Islands that were not solved, or went too far, stay where they are and are held harder next time, the others less, down to
 // `least`. Returns the largest displacement of those, or -1 where there are none.
-double Stepper::hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least) {
+double Equilibrium::hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least) {
   const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
-  const Islands& islands = islands_.islands();
+  const Islands& islands = parts_.islands.islands();
   double largest = -1;
   for (int island = 0; island < islands.count(); ++island) {
     const int first = islands.first(island);
-    if (first < 0 || islands_.rest(first) != Rest::moves) continue;
+    if (first < 0 || parts_.islands.rest(first) != Rest::moves) continue;
     double own = 0;
     for (const int b : islands.blocks(island)) own = std::max(own, displacement(model_, b, moved[b]));
     double harder = 0;
-    if (!islands_.converged(island))
+    if (!parts_.islands.converged(island))
       harder = stick ? 100 : 30;
     else if (plan_.contacts && own > too_far)
       harder = std::max(4.0, own / too_far);
     for (const int b : islands.blocks(island)) hold_[b] = harder > 0 ? hold_[b] * harder : std::max(least, hold_[b] / 4);
     if (harder > 0) {
-      islands_.leave(island);
+      parts_.islands.leave(island);
       ++totals_.cuts;
     } else {
       largest = std::max(largest, own);
@@ -244,8 +273,9 @@ double Stepper::hold_and_leave(bool stick, const std::vector<BlockState>& moved,
   return largest;
 }
 
-void Stepper::give_up(const Equilibrium& search) const {
-  if (search.last.singular_block >= 0) give_up(search.last, 0);
+void Equilibrium::give_up(const EquilibriumSearch& search) const {
+  if (search.last.singular_block >= 0)
+    throw RunError("nothing holds " + block_name(model_, search.last.singular_block) + ": fix it, put it on something, or run the scene as dynamic");
   const bool loose = !plan_.held_blocks && !plan_.fixities && !plan_.viscous;
   const std::string held = loose ? ". Nothing in the scene is held: give its base held = true, or a talus.fix" : "";
   if (search.left >= 0)
@@ -253,15 +283,15 @@ void Stepper::give_up(const Equilibrium& search) const {
                    " topples or falls: hold it, or run the scene as dynamic" + held);
   const std::string alternating = search.alternation.text(model_);
   throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: " +
-                 block_name(model_, culprit(search)) + " keeps moving. " +
+                 culprit(search) + " keeps moving. " +
                  (!alternating.empty()
                       ? "In " + std::to_string(search.report.iterations) + " solves " + alternating
                       : "Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic") + held);
 }
 
-int Stepper::culprit(const Equilibrium& search) const {
-  if (search.left >= 0) return search.left;
-  if (!search.last.converged) return std::max(search.last.worst_block, 0);
+std::string Equilibrium::culprit(const EquilibriumSearch& search) const {
+  if (search.left >= 0) return block_name(model_, search.left);
+  if (!search.last.converged) return block_name(model_, std::max(search.last.worst_block, 0));
   int fastest = 0;
   double most = -1;
   for (size_t b = 0; b < model_.shapes.size(); ++b) {
@@ -273,7 +303,7 @@ int Stepper::culprit(const Equilibrium& search) const {
       fastest = int(b);
     }
   }
-  return fastest;
+  return block_name(model_, fastest);
 }
 
 }  // namespace talus

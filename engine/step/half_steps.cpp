@@ -50,15 +50,15 @@ double kinetic(const Model& model) { return kinetic_difference(model, std::vecto
 
 }  // namespace
 
-HalfSteps::HalfSteps(Model& model, const Plan& plan, Stepper& stepper, RunTotals& totals, Ledger& ledger)
-    : model_(model), stepper_(stepper), totals_(totals), ledger_(ledger), dt_(std::numeric_limits<double>::infinity()) {
-  const Scene& scene = model.scene;
+HalfSteps::HalfSteps(StepParts& parts, Stepper& stepper)
+    : parts_(parts), model_(parts.model), stepper_(stepper), totals_(parts.totals), ledger_(parts.ledger), dt_(std::numeric_limits<double>::infinity()) {
+  const Scene& scene = model_.scene;
   tolerance_ = scene.time.tolerance;
   t_end_ = scene.time.t_end;
   least_ = scene.time.dt_min > 0 ? 2 * scene.time.dt_min : least_part * t_end_;
   // Contacts press at the end of a step: first order.
   const bool midpoint = scene.numerics.integrator == Integrator::theta && scene.numerics.theta == 0.5;
-  order_ = midpoint && !plan.contacts ? 2 : 1;
+  order_ = midpoint && !parts.plan.contacts ? 2 : 1;
 }
 
 StepReport HalfSteps::step() {
@@ -130,9 +130,9 @@ void HalfSteps::take_half(double dt, StepReport& sum) {
   sum.displacement += half.displacement;
   sum.failures += half.failures;
   sum.utilisation = std::max(sum.utilisation, half.utilisation);
-  fractures_.insert(fractures_.end(), stepper_.fractures().begin(), stepper_.fractures().end());
-  if (!stepper_.gas()) return;
-  const auto& events = stepper_.gas()->events();
+  fractures_.insert(fractures_.end(), parts_.fractures().begin(), parts_.fractures().end());
+  if (!parts_.gas) return;
+  const auto& events = parts_.gas->events();
   gas_events_.insert(gas_events_.end(), events.begin(), events.end());
 }
 

@@ -11,7 +11,7 @@ namespace talus {
 
 class HalfSteps {
  public:
-  HalfSteps(Model& model, const Plan& plan, Stepper& stepper, RunTotals& totals, Ledger& ledger);
+  HalfSteps(StepParts& parts, Stepper& stepper);
 
   // One accepted step of two halves. Throws RunError where the stepper does; the model is then as it was.
   StepReport step();
@@ -28,6 +28,7 @@ class HalfSteps {
   double allowed_error(double dt, double end) const;
   double error_of(const std::vector<BlockState>& whole);
 
+  StepParts& parts_;
   Model& model_;
   Stepper& stepper_;
   RunTotals& totals_;

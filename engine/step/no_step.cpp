@@ -15,15 +15,10 @@ void Stepper::give_up(const OpenCloseResult& result, double dt, int crushed) con
                   model_.time, block_name(model_, crushed).c_str(), model_.material(crushed).young);
     throw RunError(text);
   }
-  if (result.singular_block >= 0 && dt > 0) {
+  if (result.singular_block >= 0) {
     std::snprintf(text, sizeof text,
                   "t = %.9g s: no step down to %.3g s has a solution: the inertia of %s is lost beside its stiffness; give a shorter time.dt",
                   model_.time, dt, block_name(model_, result.singular_block).c_str());
-    throw RunError(text);
-  }
-  if (result.singular_block >= 0) {
-    std::snprintf(text, sizeof text, "nothing holds %s: fix it, put it on something, or run the scene as dynamic",
-                  block_name(model_, result.singular_block).c_str());
     throw RunError(text);
   }
   if (result.converged) {
@@ -33,7 +28,7 @@ void Stepper::give_up(const OpenCloseResult& result, double dt, int crushed) con
                   model_.time, dt);
     throw RunError(text);
   }
-  if (gas_ && gas_->gives_up()) {
+  if (parts_.gas && parts_.gas->gives_up()) {
     std::snprintf(text, sizeof text, "t = %.9g s: no step down to %.3g s has a gas pressure that agrees with the volume it leads to", model_.time, dt);
     throw RunError(text);
   }

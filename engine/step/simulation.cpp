@@ -9,6 +9,7 @@
 #include "gas/gas.h"
 #include "scene/build.h"
 #include "step/half_steps.h"
+#include "step/load_steps.h"
 #include "step/part_timer.h"
 #include "step/peaks.h"
 #include "step/step.h"
@@ -89,9 +90,11 @@ Simulation::Simulation(Scene scene) {
   notes = model.notes;
   if (const std::string note = check_snap_back(model); !note.empty()) notes.push_back(note);
   fingerprint_ = fingerprint(model);
-  stepper_ = std::make_unique<Stepper>(model, plan, totals, ledger);
-  if (plan.step_error) half_steps_ = std::make_unique<HalfSteps>(model, plan, *stepper_, totals, ledger);
-  stepper_->begin_ledger();
+  parts_ = std::make_unique<StepParts>(model, plan, totals, ledger);
+  stepper_ = std::make_unique<Stepper>(*parts_);
+  load_steps_ = std::make_unique<LoadSteps>(*parts_);
+  if (plan.step_error) half_steps_ = std::make_unique<HalfSteps>(*parts_, *stepper_);
+  begin_ledger();
   totals.seconds("build") = cpu_seconds() - start;
   totals.end_step(true);
 }
@@ -122,18 +125,18 @@ void Simulation::take_step() {
   const long factors = totals.factorisations;
   last = half_steps_ ? half_steps_->step()
          : plan.dynamic ? stepper_->dynamic_step()
-                        : stepper_->load_step(next_load(), totals.steps == 0);
+                        : load_steps_->step(next_load(), totals.steps == 0);
   for (Fixity& fixity : model.scene.fixities) fixity.go_on(model.time);
   ++totals.steps;
   last.factorisations = int(totals.factorisations - factors);
   totals.failures += last.failures;
   totals.largest_utilisation = std::max(totals.largest_utilisation, last.utilisation);
-  if (last.collapsed) notes.push_back(stepper_->collapse_note());
+  if (last.collapsed) notes.push_back(load_steps_->collapse_note());
   totals.largest_residual = std::max(totals.largest_residual, last.residual);
   last.step = totals.steps;
   last.time = model.time;
   if (plan.dynamic) keep_peaks(model);
-  last.closed_contacts = stepper_->closed_contacts();
+  last.closed_contacts = parts_->closed_contacts();
   totals.end_step(totals.steps == 1 || finished());
 }
 
@@ -150,8 +153,9 @@ void Simulation::begin() {
   const bool settled = plan.dynamic && model.scene.time.settled_start;
   if (settled) settle();
   if (plan.fracture)
-    for (int count = stepper_->initial_cracks(); count > 0; count = stepper_->initial_cracks()) {
+    for (int count = parts_->initial_cracks(); count > 0; count = parts_->initial_cracks()) {
       totals.failures += count;
+      stepper_->step_size().broken(model);
       if (settled) settle();
     }
   if (totals.failures > 0)
@@ -160,20 +164,23 @@ void Simulation::begin() {
                         : std::to_string(totals.failures) + " bonds are beyond their strength at the start: they begin as cracks");
   if (plan.viscous && !plan.dynamic)
     notes.push_back("viscous boundaries are held like fixed edges: in a static scene nothing moves that they could absorb");
-  stepper_->begin_ledger();
+  begin_ledger();
   begun_ = true;
 }
+
+void Simulation::begin_ledger() { parts_->begin_ledger(plan.dynamic ? stepper_->first_ahead() : 0); }
 
 void Simulation::settle() {
   std::vector<std::array<double, max_dofs>> velocities;
   for (const BlockState& state : model.blocks) velocities.push_back(state.velocity);
-  if (const std::string note = stepper_->settle(); !note.empty()) notes.push_back(note);
+  if (const std::string note = Equilibrium(*parts_).settle(); !note.empty()) notes.push_back(note);
   for (size_t b = 0; b < velocities.size(); ++b) model.blocks[b].velocity = velocities[b];
 }
 
 void Simulation::visit_state(StateVisitor& visitor) {
   talus::visit_state(model, visitor);
   visitor("stepper", *stepper_);
+  visitor("load_steps", *load_steps_);
   if (half_steps_) visitor("half_steps", *half_steps_);
   visitor("totals", totals);
   visitor("last", last);
@@ -214,7 +221,7 @@ void Simulation::restore(const std::string& state) {
   stopped_ = false;
 }
 
-const Gas* Simulation::gas() const { return stepper_->gas(); }
+const Gas* Simulation::gas() const { return parts_->gas.get(); }
 
 std::uint64_t Simulation::hash() const {
   return visited<StateHasher>().value();
@@ -229,10 +236,10 @@ bool Simulation::finished() const {
   if (stopped_ || last.collapsed || (time.max_steps > 0 && totals.steps >= time.max_steps)) return true;
   if (plan.dynamic) return model.time >= time.t_end;
   const long least = time.t_end == 0 ? time.steps : 1;
-  return totals.steps >= least && model.time >= time.t_end && !stepper_->bonds_due();
+  return totals.steps >= least && model.time >= time.t_end && !parts_->bonds_due();
 }
 
-const std::vector<int>& Simulation::fractures() const { return half_steps_ ? half_steps_->fractures() : stepper_->fractures(); }
+const std::vector<int>& Simulation::fractures() const { return half_steps_ ? half_steps_->fractures() : parts_->fractures(); }
 
 const std::vector<GasEvent>& Simulation::gas_events() const {
   static const std::vector<GasEvent> none;
@@ -240,7 +247,7 @@ const std::vector<GasEvent>& Simulation::gas_events() const {
 }
 
 Energies Simulation::energies() const {
-  Energies e = stepper_->energies();
+  Energies e = parts_->energies();
   if (!changed_) return e;
   e.external += e.unexplained - rest_at_change_;
   e.unexplained = rest_at_change_;

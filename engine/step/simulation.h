@@ -12,8 +12,10 @@
 
 namespace talus {
 
+class StepParts;
 class Stepper;
 class HalfSteps;
+class LoadSteps;
 class Recovery;
 class Gas;
 struct GasEvent;
@@ -110,6 +112,7 @@ class Simulation {
   // To be called before materials, joint properties, supports or velocities are changed between two steps of motion: what that adds to
   // the energy is work put in.
   void before_change();
+  StepParts& step_parts() { return *parts_; }
   Stepper& stepper() { return *stepper_; }
   // Smoothed stress, brought up to date on first use after a step. Null when numerics.recovery is off.
   const Recovery* recovery();
@@ -122,11 +125,14 @@ class Simulation {
   template <class Visitor>
   Visitor visited() const;  // by a visitor that only reads
   void take_step();
+  void begin_ledger();
   void book_change();
   void settle();  // equilibrium, with the initial velocities kept
 
   Fingerprint fingerprint_;
-  std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<StepParts> parts_;
+  std::unique_ptr<Stepper> stepper_;       // motion
+  std::unique_ptr<LoadSteps> load_steps_;  // static
   std::unique_ptr<HalfSteps> half_steps_;  // where the errors of steps are looked at
   std::unique_ptr<Recovery> recovery_;
   long recovered_step_ = -1;

@@ -8,7 +8,7 @@
 #include "model/saved_state.h"
 #include "small_scene.h"
 #include "step/simulation.h"
-#include "step/step.h"
+#include "step/step_parts.h"
 
 namespace talus {
 namespace {
@@ -146,7 +146,7 @@ TEST(Step, ASearchForEquilibriumThatIsInterruptedChangesNothing) {
     constexpr int steps = 8;
     Simulation undisturbed(torn(path)), interrupted(torn(path));
     long solves = 0, interrupts = 0, failed = 0;
-    undisturbed.stepper().on_equilibrium_solve = [&] { ++solves; };
+    undisturbed.step_parts().on_equilibrium_solve = [&] { ++solves; };
     for (int i = 0; i < steps; ++i) {
       const std::uint64_t before = interrupted.hash();
       solves = 0;
@@ -154,14 +154,14 @@ TEST(Step, ASearchForEquilibriumThatIsInterruptedChangesNothing) {
       failed += undisturbed.last.failures;
       for (long last = 1; last <= solves; last += 11) {
         long left = last;
-        interrupted.stepper().on_equilibrium_solve = [&] {
+        interrupted.step_parts().on_equilibrium_solve = [&] {
           if (--left == 0) throw std::runtime_error("interrupted");
         };
         EXPECT_THROW(interrupted.step(), std::runtime_error);
         EXPECT_EQ(interrupted.hash(), before) << "step " << i << ", solve " << last;
         ++interrupts;
       }
-      interrupted.stepper().on_equilibrium_solve = nullptr;
+      interrupted.step_parts().on_equilibrium_solve = nullptr;
       interrupted.step();
       ASSERT_EQ(interrupted.hash(), undisturbed.hash()) << "step " << i;
     }

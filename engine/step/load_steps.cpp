@@ -1,11 +1,11 @@
-// Static loading: increments of load that stop where the first bond reaches its strength, and bonds that fail under a load
-// held until nothing more breaks.
+#include "step/load_steps.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "step/closure.h"
 #include "step/restored.h"
-#include "step/step.h"
 
 namespace talus {
 
@@ -31,31 +31,63 @@ double exchanged(const Ledger& before, const Ledger& now) {
          std::abs(now.gravity_work - before.gravity_work);
 }
 
+class Unstressed {  // blocks without their initial stress, while this lives
+ public:
+  explicit Unstressed(Model& model) : model_(model), quadratic_(model.quadratic_shapes) {
+    for (BlockShape& shape : model.shapes) stress_.push_back(std::exchange(shape.initial_stress, Vec3::Zero()));
+    for (QuadraticShape& shape : model.quadratic_shapes) shape.stress_x = shape.stress_y = Vec3::Zero();
+  }
+  ~Unstressed() {
+    model_.quadratic_shapes = std::move(quadratic_);
+    for (size_t b = 0; b < stress_.size(); ++b) model_.shapes[b].initial_stress = stress_[b];
+  }
+  Unstressed(const Unstressed&) = delete;
+  Unstressed& operator=(const Unstressed&) = delete;
+
+ private:
+  Model& model_;
+  std::vector<QuadraticShape> quadratic_;
+  std::vector<Vec3> stress_;
+};
+
 }  // namespace
 
-StepReport Stepper::load_step(double to, bool first) {
-  prepare_bonds();
+LoadSteps::LoadSteps(StepParts& parts)
+    : parts_(parts), model_(parts.model), plan_(parts.plan), totals_(parts.totals), ledger_(parts.ledger), equilibrium_(parts) {}
+
+StepReport LoadSteps::step(double to, bool first) {
+  parts_.prepare_bonds();
   // What touches at the start, before supports move: they would press from the start on only with what comes after.
-  if (first && plan_.contacts) search_.update(model_, 0);
-  if (!fracture_) {
+  if (first && plan_.contacts) parts_.search.update(model_, 0);
+  if (!parts_.fracture) {
     const double from = model_.time;
     const bool moving = moves_supports(model_.scene);  // the script may have let one go since the plan was made
     model_.time = plan_.contacts && moving ? reachable(to) : to;
-    const LoadStepBooking booking(model_, supports_, from, first);
-    Equilibrium search;
+    const LoadStepBooking booking(model_, parts_.supports, from, first);
+    EquilibriumSearch search;
     search.in_place = !moving;
-    if (!balance(search)) give_up(search);
-    book_load(booking, first);
+    if (!equilibrium_.balance(search)) equilibrium_.give_up(search);
+    book(booking, first);
     return search.report;
   }
-  const std::vector<int> due = first ? std::vector<int>{} : fracture_->choose(false);
-  fracture_->clear_events();
+  const std::vector<int> due = first ? std::vector<int>{} : parts_.fracture->choose(false);
+  parts_.fracture->clear_events();
   return due.empty() ? raise_load(to, first) : break_bonds(due);
+}
+
+// The energy stored is linear in an initial stress, which grows in the first load step as the loads do: half of what it has put in.
+void LoadSteps::book(const LoadStepBooking& booking, bool first) {
+  if (first && plan_.initial_stress) {
+    const double all = parts_.energies().strain;
+    const Unstressed unstressed(model_);
+    ledger_.external_work += (all - parts_.energies().strain) / 2;
+  }
+  booking.book(model_, parts_.supports, ledger_);
 }
 
 // How far a load step may go towards `to`: what is held or supported moves no farther in it than a step in motion may, or blocks that it pushes
 // would be held back in its search and slide by steps of that. Where a table jumps there is no such time.
-double Stepper::reachable(double to) const {
+double LoadSteps::reachable(double to) const {
   const double from = model_.time, most = model_.scene.time.displacement_ratio * model_.extent;
   double until = to;
   for (int looks = 0; looks < 40; ++looks) {
@@ -69,7 +101,7 @@ double Stepper::reachable(double to) const {
 
 // Where the first bond comes to its strength if utilisations go on as they have come up. Farther each time that it has
 // not come to it.
-double Stepper::foreseen(double from, double to, double utilisation) const {
+double LoadSteps::foreseen(double from, double to, double utilisation) const {
   if (!(utilisation > 0)) return to;
   const double ahead = from * ((1 + model_.scene.fracture.overshoot / 2) / utilisation - 1);
   return ahead > 0 ? std::min(to, from + ahead * std::pow(2.0, short_increments_)) : to;
@@ -78,30 +110,30 @@ double Stepper::foreseen(double from, double to, double utilisation) const {
 // Utilisations grow about in proportion to the load: an increment that passes a strength by more than the overshoot is
 // taken again, to where the first bond reaches it. So is one on whose way the rock would jump, unless utilisations, as
 // they have come up, would stay within the overshoot: then the load at which it jumps is known as well as any strength.
-StepReport Stepper::raise_load(double to, bool first) {
+StepReport LoadSteps::raise_load(double to, bool first) {
   const double from = model_.time, soonest = std::min(to, from + least_increment * model_.scene.time.t_end);
-  const double overshoot = model_.scene.fracture.overshoot, before = fracture_->judge();
+  const double overshoot = model_.scene.fracture.overshoot, before = parts_.fracture->judge();
   double until = foreseen(from, to, before);
   const double pace = std::max(pace_, from > 0 ? before / from : 0);
   const double whole = model_.scene.time.t_end / model_.scene.time.steps;
-  const Closure closure(model_, joints_, {});
+  const Closure closure(model_, parts_.joints, {});
   int vain = 0;  // solves
   for (int cuts = 0;; ++cuts) {
     Restored attempt(model_);
     model_.time = until;
-    const LoadStepBooking booking(model_, supports_, from, first);
+    const LoadStepBooking booking(model_, parts_.supports, from, first);
     const BridgeBooking bridges(model_);
-    Equilibrium search;
+    EquilibriumSearch search;
     search.most_solves = most_search_solves;
     search.may_jump = before + pace * (until - from) <= 1 + overshoot || until <= soonest;
-    const bool found = balance(search);
+    const bool found = equilibrium_.balance(search);
     search.report.cuts = cuts;
     if (!found) vain += search.report.iterations;
-    const double after = found ? fracture_->judge() : 0;
+    const double after = found ? parts_.fracture->judge() : 0;
     search.report.utilisation = after;
     if (found && (after <= 1 + overshoot || search.jumped || until <= soonest)) {
       const Ledger ledger = ledger_;
-      book_load(booking, first);
+      book(booking, first);
       bridges.book(model_, ledger_);
       const double off = closure.work(model_, ledger_.friction_work - ledger.friction_work);
       const bool bent = std::abs(off) > std::max(most_bend * exchanged(ledger, ledger_), least_bend * ledger_.scale());
@@ -116,13 +148,13 @@ StepReport Stepper::raise_load(double to, bool first) {
         ledger_.fracture_work += off;
       else if (until > from)
         pace_ = (after - before) / (until - from);
-      fracture_->weaken();
-      short_increments_ = until < to && !bonds_due() ? short_increments_ + 1 : 0;
+      parts_.fracture->weaken();
+      short_increments_ = until < to && !parts_.bonds_due() ? short_increments_ + 1 : 0;
       return search.report;
     }
     const bool enough = vain > most_vain_solves || short_increments_ > most_short_increments;
     if (!found && (until <= soonest || enough)) {
-      if (totals_.failures == 0) give_up(search);
+      if (totals_.failures == 0) equilibrium_.give_up(search);
       const StepReport report = collapse(search);
       attempt.back();
       return report;
@@ -133,28 +165,27 @@ StepReport Stepper::raise_load(double to, bool first) {
   }
 }
 
-StepReport Stepper::break_bonds(const std::vector<int>& due) {
-  const double most = fracture_->judge();
-  const LoadStepBooking booking(model_, supports_, model_.time, false);
-  released_ = 0;
-  fail(due, model_.time, false);
-  search_.update(model_, 0);
-  const double released = released_ - contacts_of_events();
-  const Closure closure(model_, joints_, due);
+StepReport LoadSteps::break_bonds(const std::vector<int>& due) {
+  const double most = parts_.fracture->judge();
+  const LoadStepBooking booking(model_, parts_.supports, model_.time, false);
+  const double by_bonds = parts_.fail(due, model_.time, false).energy;
+  parts_.search.update(model_, 0);
+  const double released = by_bonds - parts_.contacts_of_events();
+  const Closure closure(model_, parts_.joints, due);
   const BridgeBooking bridges(model_);
   Restored at_failure(model_);
-  Equilibrium search;
+  EquilibriumSearch search;
   search.most_solves = most_search_solves;
   StepReport report;
-  if (balance(search)) {
+  if (equilibrium_.balance(search)) {
     at_failure.keep();
     report = search.report;
     const double friction = ledger_.friction_work;
-    booking.book(model_, supports_, ledger_);
+    booking.book(model_, parts_.supports, ledger_);
     ledger_.fracture_work += released + closure.work(model_, ledger_.friction_work - friction);
     bridges.book(model_, ledger_);
-    fracture_->weaken();
-    fracture_->judge();
+    parts_.fracture->weaken();
+    parts_.fracture->judge();
   } else {
     report = collapse(search);
     at_failure.back();
@@ -165,8 +196,8 @@ StepReport Stepper::break_bonds(const std::vector<int>& due) {
   return report;
 }
 
-StepReport Stepper::collapse(const Equilibrium& search) {
-  collapse_ = block_name(model_, culprit(search)) + " keeps moving";
+StepReport LoadSteps::collapse(const EquilibriumSearch& search) {
+  collapse_ = equilibrium_.culprit(search) + " keeps moving";
   const std::string alternating = search.alternation.text(model_);
   if (!alternating.empty()) collapse_ += "; " + alternating;
   StepReport report;
@@ -174,7 +205,12 @@ StepReport Stepper::collapse(const Equilibrium& search) {
   return report;
 }
 
-std::string Stepper::collapse_note() const {
+void LoadSteps::visit_state(StateVisitor& visitor) {
+  visitor("short_increments", short_increments_);
+  visitor("pace", pace_);
+}
+
+std::string LoadSteps::collapse_note() const {
   return "no equilibrium beyond t = " + std::to_string(model_.time) + " s: " + collapse_ +
          "; the run ends with the last equilibrium there was";
 }

@@ -1,0 +1,90 @@
+#pragma once
+// What steps in motion and searches for equilibrium are both made of: the terms that the plan calls for, the linear system that they
+// put together, and its solution with contacts.
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contact/detection.h"
+#include "equations/contact_terms.h"
+#include "equations/joint_terms.h"
+#include "equations/term.h"
+#include "fracture/fracture.h"
+#include "gas/gas.h"
+#include "model/state_visitor.h"
+#include "scene/plan.h"
+#include "step/island_solver.h"
+#include "step/ledger.h"
+#include "step/simulation.h"
+#include "step/sleep.h"
+
+namespace talus {
+
+// Which contacts a system is put together with.
+struct ContactChoice {
+  bool stick = false;                             // those of joints that touch do not slide
+  double pressed = ContactTerms::least_pressed;   // part of its cohesion with which one is pressed that has it
+  std::span<const double> nearness = {};          // per block; empty: 1 (ContactTerms::linearise)
+};
+
+class StepParts {
+ public:
+  StepParts(Model& model, const Plan& plan, RunTotals& totals, Ledger& ledger);
+
+  // What hangs on materials and bonds alone, where the script has changed them since.
+  void prepare_bonds();
+  // K d = f for everything but contacts and softening bonds, and the contacts' rows.
+  void assemble(const Scheme& scheme, const ContactChoice& choice);
+  // dt = 0: equilibrium.
+  IslandResult solve(double dt, double most_effort, Vector& d);
+
+  struct Released {       // J/m, of what bonds that failed stored, and their blocks through them
+    double energy = 0;
+    double on_way = 0;  // of that what they stored by the way from X to y alone, which the integrator's loss counts with the state
+  };
+  Released fail(const std::vector<int>& due, double time, bool motion, const std::vector<BondTraction>& judged = {});
+  double contacts_of_events() const;  // J/m, with which the contacts begin that take over from bonds that have failed in this step
+  int initial_cracks();               // bonds beyond their strength before the first step fail: how many did
+  bool bonds_due() const { return fracture && fracture->any_due(); }
+  const std::vector<int>& fractures() const;  // joints that failed in the last step
+
+  void begin_ledger(double ahead);  // the energies since the present state
+  Energies energies();
+  double elastic_energy(double ahead);
+  int closed_contacts();
+  std::vector<Vec2> reactions();  // N/m per fixity, on what it holds
+  double transit() const { return transit_; }
+
+  void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
+  void restored();                          // the model has been put back: what was derived from it is stale
+  void rewound();                           // to the start of a step, by the same run: nobody has changed materials since
+
+  // Of a program of one's own, from before the first step on (docs/extending.md).
+  std::vector<std::shared_ptr<const Term>> terms;
+  // Called before each solve for equilibrium, of which a load step may take thousands; what it throws ends the step, and
+  // Simulation::step() puts everything back.
+  std::function<void()> on_equilibrium_solve;
+
+  Model& model;
+  const Plan& plan;
+  RunTotals& totals;
+  Ledger& ledger;
+  ContactSearch search;
+  JointTerms joints;
+  Supports supports;
+  ContactTerms contacts;
+  Poses poses;
+  System system;
+  IslandSolver islands;
+  Sleep sleep;
+  std::unique_ptr<Gas> gas;            // where there are charges
+  std::unique_ptr<Fracture> fracture;  // where bonds can fail
+
+ private:
+  std::vector<int> block_sizes_;  // unknowns of each block
+  long revision_ = -1;
+  double transit_ = 0;  // s, Fracture::least_transit() of the present revision
+};
+
+}  // namespace talus
