@@ -23,8 +23,6 @@ Vec2 edge_normal(const Model& model, const Contact& c) {
   return -perp(model.vertex[begin + model.next_vertex(c.j, c.edge)] - model.vertex[begin + c.edge]).normalized();
 }
 
-std::int64_t pair_key(int a, int b) { return (std::int64_t(std::min(a, b)) << 32) | std::max(a, b); }
-
 void carry(const Contact& from, Contact& to) {
   to.state = from.state;
   // The force goes on, and what has slid in the search for equilibrium.
@@ -42,18 +40,47 @@ void carry(const Contact& from, Contact& to) {
   to.load_slip = from.load_slip;
 }
 
-// A loaded contact that ended where `c` begins: the same vertex on another edge, or the same two blocks with
+// Whether the loaded contact `old` ended where `c` begins: the same vertex on another edge, or the same two blocks with
 // the parts of vertex and edge exchanged; at the same place within a tenth of the block, with the same normal.
-const Contact* predecessor(const Model& model, const Contact& c, const std::vector<const Contact*>& ended) {
-  const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c);
+bool follows(const Model& model, const Contact& c, const Contact& old) {
+  const bool swapped = old.i == c.j && old.j == c.i;
+  if (!(old.global_vertex == c.global_vertex || swapped)) return false;
   const double near = 0.1 * std::min(model.shapes[c.i].length, model.shapes[c.j].length);
+  if ((model.vertex[old.global_vertex] - model.vertex[c.global_vertex]).norm() > near) return false;
+  return edge_normal(model, old).dot(edge_normal(model, c)) * (swapped ? -1 : 1) > 0.999;
+}
+
+// What each of the contacts that begin takes over, or null. One that ended is taken over once: where a face has slid past the end of another and both
+// the corner there and the face next to it are met now, by the longer of the two.
+std::vector<const Contact*> predecessors(const Model& model, const std::vector<Contact*>& fresh, const std::vector<const Contact*>& ended) {
+  std::unordered_map<std::int64_t, std::vector<const Contact*>> at;  // by vertex, and by pair of blocks
   for (const Contact* old : ended) {
-    const bool swapped = old->i == c.j && old->j == c.i;
-    if (!(old->global_vertex == c.global_vertex || swapped)) continue;
-    if ((model.vertex[old->global_vertex] - at).norm() > near) continue;
-    if (edge_normal(model, *old).dot(normal) * (swapped ? -1 : 1) > 0.999) return old;
+    at[-1 - old->global_vertex].push_back(old);
+    at[pair_key(old->i, old->j)].push_back(old);
   }
-  return nullptr;
+  struct Claim {
+    size_t by;
+    const Contact* of;
+    bool same_vertex;
+  };
+  std::vector<Claim> claims;
+  for (size_t k = 0; k < fresh.size(); ++k)
+    for (const std::int64_t key : {std::int64_t(-1 - fresh[k]->global_vertex), pair_key(fresh[k]->i, fresh[k]->j)})
+      if (const auto found = at.find(key); found != at.end())
+        for (const Contact* old : found->second) {
+          const bool same_vertex = key < 0;
+          if (same_vertex != (old->global_vertex == fresh[k]->global_vertex) || !follows(model, *fresh[k], *old)) continue;
+          claims.push_back({k, old, same_vertex});
+        }
+  std::stable_sort(claims.begin(), claims.end(), [&](const Claim& a, const Claim& b) {
+    if (fresh[a.by]->length != fresh[b.by]->length) return fresh[a.by]->length > fresh[b.by]->length;
+    return a.same_vertex && !b.same_vertex;
+  });
+  std::vector<const Contact*> before(fresh.size(), nullptr);
+  std::unordered_set<const Contact*> taken;
+  for (const Claim& claim : claims)
+    if (!before[claim.by] && taken.insert(claim.of).second) before[claim.by] = claim.of;
+  return before;
 }
 
 // m, how deep a contact is at the places y = X + (θ-½)Δt v that the scheme looks at (theory, § 2), as the step begins.
@@ -135,14 +162,12 @@ void step_over(const Model& model, const Contact& old, Contact& c) {
 // `cracked`: bonds have failed in this step.
 void carry_over(const Model& model, double dt, bool cracked, std::vector<Contact>& now) {
   std::vector<Contact*> fresh;
-  std::unordered_map<std::int64_t, std::vector<const Contact*>> ended;  // by vertex, and by pair of blocks
+  std::vector<const Contact*> ended;
   const std::span<const Contact> before = model.awake_contacts();
   auto old = before.begin();
   const auto end_those_before = [&](std::int64_t key) {
     for (; old != before.end() && old->key() < key; ++old) {
-      if (old->state == ContactState::open) continue;
-      ended[-1 - old->global_vertex].push_back(&*old);
-      ended[pair_key(old->i, old->j)].push_back(&*old);
+      if (old->state != ContactState::open) ended.push_back(&*old);
     }
   };
   for (Contact& c : now) {
@@ -160,11 +185,10 @@ void carry_over(const Model& model, double dt, bool cracked, std::vector<Contact
     carry(*old++, c);
   }
   end_those_before(std::numeric_limits<std::int64_t>::max());
-  for (Contact* c : fresh) {
-    const Contact* old = nullptr;
-    for (std::int64_t key : {std::int64_t(-1 - c->global_vertex), pair_key(c->i, c->j)})
-      if (const auto found = ended.find(key); !old && found != ended.end()) old = predecessor(model, *c, found->second);
-    if (old) {
+  const std::vector<const Contact*> predecessor = predecessors(model, fresh, ended);
+  for (size_t k = 0; k < fresh.size(); ++k) {
+    Contact* const c = fresh[k];
+    if (const Contact* const old = predecessor[k]) {
       carry(*old, *c);
       // Deeper by the other block's face, which lies a little otherwise: not a load.
       const double deeper = gap_now(model, *old) - c->gap;
@@ -290,7 +314,7 @@ void ContactSearch::find_surface(const Model& model) {
   intact_joints_ = intact;
   surface_.free_edge.assign(model.reference_vertex.size(), 1);
   surface_.joint.assign(model.reference_vertex.size(), -1);
-  bonded_.clear();
+  surface_.bonded.clear();
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
     const int face_a = model.shapes[joint.a].vertex_begin + joint.edge_a;
@@ -300,13 +324,13 @@ void ContactSearch::find_surface(const Model& model) {
       continue;
     }
     surface_.free_edge[face_a] = surface_.free_edge[face_b] = 0;
-    bonded_.insert(pair_key(joint.a, joint.b));
+    surface_.bonded.insert(pair_key(joint.a, joint.b));
   }
-  bond_corners(model, bonded_);
+  bond_corners(model, surface_.bonded);
   find_outlines(model);
   surface_blocks_.clear();
   surface_.convex.clear();
-  surface_.plain.clear();
+  surface_.whole.clear();
   least_length_ = std::numeric_limits<double>::infinity();
   for (size_t b = 0; b < model.shapes.size(); ++b) {
     const auto edges = std::span(surface_.free_edge).subspan(size_t(model.shapes[b].vertex_begin), size_t(model.vertex_count(int(b))));
@@ -314,40 +338,37 @@ void ContactSearch::find_surface(const Model& model) {
     if (free > 0) surface_blocks_.push_back(int(b));
     surface_.convex.push_back(convex(model, int(b)));
     least_length_ = std::min(least_length_, model.shapes[b].length);
-    surface_.plain.push_back(size_t(free) == edges.size() && surface_.convex.back());
+    surface_.whole.push_back(size_t(free) == edges.size());
   }
 }
 
 // Where a block ends in a bond, the outline goes on along the block beyond it, and so on round the corner to a free edge.
 void ContactSearch::find_outlines(const Model& model) {
-  struct Side {
-    int block, edge;
-  };
   std::unordered_map<int, Side> beyond;  // by global edge
   for (const Joint& joint : model.joints) {
     if (joint.state != JointState::intact) continue;
     beyond[model.shapes[joint.a].vertex_begin + joint.edge_a] = {joint.b, joint.edge_b};
     beyond[model.shapes[joint.b].vertex_begin + joint.edge_b] = {joint.a, joint.edge_a};
   }
-  surface_.ahead.resize(model.reference_vertex.size());
-  surface_.behind.resize(model.reference_vertex.size());
+  surface_.leaving.resize(model.reference_vertex.size());
+  surface_.arriving.resize(model.reference_vertex.size());
   const auto previous = [&](int b, int v) { return v == 0 ? model.vertex_count(b) - 1 : v - 1; };
   for (int b = 0; b < int(model.shapes.size()); ++b)
     for (int v = 0; v < model.vertex_count(b); ++v) {
-      const int begin = model.shapes[b].vertex_begin;
-      Side ahead{b, v}, behind{b, previous(b, v)};  // edges that leave and reach the corner
+      Side leaving{b, v}, arriving{b, previous(b, v)};
       const auto global = [&](const Side& side) { return model.shapes[side.block].vertex_begin + side.edge; };
       // A corner inside a body is met again: it keeps its own edges, which touch nothing.
-      for (auto next = beyond.find(global(ahead)); next != beyond.end(); next = beyond.find(global(ahead))) {
-        ahead = {next->second.block, model.next_vertex(next->second.block, next->second.edge)};
-        if (ahead.block == b) break;
+      for (auto next = beyond.find(global(leaving)); next != beyond.end(); next = beyond.find(global(leaving))) {
+        leaving = {next->second.block, model.next_vertex(next->second.block, next->second.edge)};
+        if (leaving.block == b) break;
       }
-      for (auto last = beyond.find(global(behind)); last != beyond.end(); last = beyond.find(global(behind))) {
-        behind = {last->second.block, previous(last->second.block, last->second.edge)};
-        if (behind.block == b) break;
+      for (auto last = beyond.find(global(arriving)); last != beyond.end(); last = beyond.find(global(arriving))) {
+        arriving = {last->second.block, previous(last->second.block, last->second.edge)};
+        if (arriving.block == b) break;
       }
-      surface_.ahead[begin + v] = model.shapes[ahead.block].vertex_begin + model.next_vertex(ahead.block, ahead.edge);
-      surface_.behind[begin + v] = global(behind);
+      const size_t corner = size_t(model.shapes[b].vertex_begin + v);
+      surface_.leaving[corner] = leaving;
+      surface_.arriving[corner] = arriving;
     }
 }
 
@@ -392,8 +413,6 @@ std::vector<std::pair<int, int>> ContactSearch::near(const Model& model, const s
   return NearBlocks().find(model, states, awake(model), dt);
 }
 
-bool ContactSearch::bonded(int a, int b) const { return bonded_.contains(pair_key(a, b)); }
-
 void ContactSearch::update(Model& model, double dt, const std::vector<BlockState>& seen, bool cracked) {
   const int intact = intact_joints_;
   find_surface(model);
@@ -407,13 +426,14 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   {
     const OnTheWay lent(model, seen, dt);
     near_ = near_blocks_.find(model, model.blocks, awake(model), dt);
-    faces_.find(model, near_);
+    faces_.find(model, surface_, near_);
     for (const auto& [a, b] : near_)
       if (!bonded(a, b)) find_contacts(model, surface_, faces_, a, b, dt, now, meeting);
   }
   if (!seen.empty()) forget_last();  // it was of other velocities
-  drop_points(model, meeting, bonded_, now);
+  drop_points(model, meeting, surface_.bonded, now);
   sort_by_key(now);
+  drop_deeper_of_bodies(model, surface_, now);
   carry_over(model, dt, cracked, now);
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());

@@ -1,5 +1,6 @@
 #pragma once
 // Which vertices may meet which edges during the next step of `dt` seconds.
+#include <algorithm>
 #include <cstdint>
 #include <unordered_set>
 #include <utility>
@@ -37,14 +38,22 @@ class NearBlocks {
   std::vector<std::pair<int, int>> pairs_;  // places in blocks_, of which those boxes meet
 };
 
+struct Side {  // of a block: the edge that begins at its corner of this number
+  int block, edge;
+};
+
+inline std::int64_t pair_key(int a, int b) { return (std::int64_t(std::min(a, b)) << 32) | std::max(a, b); }
+
 // The outlines of bodies: of blocks, and of blocks bonded to each other, all by global vertex.
 struct Surface {
   std::vector<int> joint;          // open joint whose face begins here, or -1
   std::vector<char> free_edge;     // no intact joint covers the edge that begins here; others cannot touch
   std::vector<char> convex;        // by block
-  std::vector<char> plain;         // convex, and all its edges are free
-  std::vector<int> ahead, behind;  // outline's next and last corner, of a block of the same body round this one: what the
-                                   // body is at a corner, of which one block is only a part
+  std::vector<char> whole;         // by block: all its edges are free
+  std::vector<Side> leaving, arriving;  // sides of the outline that meet in the corner, of blocks of the same body round it: what the
+                                        // body is at a corner, of which one block is only a part
+  std::unordered_set<std::int64_t> bonded;  // pairs glued along an edge, or round a corner they share
+  bool together(int a, int b) const { return bonded.contains(pair_key(a, b)); }
 };
 
 // m, of a contact as the blocks lie; negative where the vertex is below the edge's line.
@@ -61,7 +70,7 @@ class ContactSearch {
   const std::vector<std::pair<int, int>>& near() const { return near_; }
   // Those that would at other velocities.
   std::vector<std::pair<int, int>> near(const Model& model, const std::vector<BlockState>& states, double dt) const;
-  bool bonded(int a, int b) const;
+  bool bonded(int a, int b) const { return surface_.together(a, b); }
   const Surface& surface() const { return surface_; }
   double least_length() const { return least_length_; }  // m, of all blocks
   // The next search looks whatever has moved.
@@ -94,7 +103,6 @@ class ContactSearch {
   NearBlocks near_blocks_;
   std::vector<std::pair<int, int>> near_;
   Faces faces_;
-  std::unordered_set<std::int64_t> bonded_;  // pairs glued along an edge, or round a corner they share
 };
 
 }  // namespace talus

@@ -15,13 +15,16 @@ struct Face {
   double position(const Vec2& p) const { return along.dot(p - from); }
 };
 
-// Of the blocks that come near another, by global edge.
+struct Surface;  // contact/detection.h
+
+// Of the blocks that come near another, and of those in whose faces the outlines of their bodies go on, by global edge.
 class Faces {
  public:
-  void find(const Model& model, const std::vector<std::pair<int, int>>& near);
+  void find(const Model& model, const Surface& surface, const std::vector<std::pair<int, int>>& near);
   const Face& operator[](int edge) const { return faces_[size_t(edge)]; }
 
  private:
+  void find(const Model& model, int block);
   std::vector<Face> faces_;
   std::vector<char> found_;  // by block
 };

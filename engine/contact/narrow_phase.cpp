@@ -59,14 +59,23 @@ class Pair {
   const Face& edge(int block, int local) const { return faces_[global(block, local)]; }
 
   bool free(int block, int edge) const { return surface_.free_edge[model_.shapes[block].vertex_begin + edge]; }
+  bool free(const Side& side) const { return free(side.block, side.edge); }
   bool exposed(int block, int v) const { return free(block, v) || free(block, previous(block, v)); }
   // Or the block has no more than a corner where the outline of its body comes by.
-  bool on_outline(int block, int v) const { return exposed(block, v) || surface_.free_edge[size_t(surface_.behind[size_t(global(block, v))])]; }
+  bool on_outline(int block, int v) const { return exposed(block, v) || free(arriving(block, v)); }
 
-  // The outline's directions away from the corner `v` of `block`, forwards and backwards, of the whole body there: a node
+  // The sides of the outline that leave and reach the corner `v` of `block`, and their directions away from it, of the whole body there: a node
   // on the flat side of a mesh is no corner, though the block is.
-  Vec2 ahead(int block, int v) const { return model_.vertex[surface_.ahead[global(block, v)]] - vertex(block, v); }
-  Vec2 behind(int block, int v) const { return model_.vertex[surface_.behind[global(block, v)]] - vertex(block, v); }
+  const Side& leaving(int block, int v) const { return surface_.leaving[size_t(global(block, v))]; }
+  const Side& arriving(int block, int v) const { return surface_.arriving[size_t(global(block, v))]; }
+  Vec2 ahead(int block, int v) const {
+    const Side& side = leaving(block, v);
+    return vertex(side.block, next(side.block, side.edge)) - vertex(block, v);
+  }
+  Vec2 behind(int block, int v) const {
+    const Side& side = arriving(block, v);
+    return vertex(side.block, side.edge) - vertex(block, v);
+  }
   int global(int block, int v) const { return model_.shapes[block].vertex_begin + v; }
 
   // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both sides of the body lead away.
@@ -129,15 +138,17 @@ class Pair {
   // Whether corner `v` of `bv`, at the place `s` along edge `e` of `be`, passes its end flush with the face beyond it: at
   // an outer corner. At an inner one that face is a wall, and the corner slides down it onto the edge.
   bool passes_flush(int bv, int v, int be, int e, double s, double length) const {
-    const auto on = [&](int beyond) { return free(be, beyond) && slides_on(bv, v, be, beyond); };
-    return (s <= flush() && on(previous(be, e)) && !inner(be, e)) ||
-           (s >= length - flush() && on(next(be, e)) && !inner(be, next(be, e)));
+    const auto on = [&](const Side& beyond) {  // at the end of a crack that is the block's own side, or one that it is bonded to
+      return free(beyond) && beyond.block != bv && !together(bv, beyond.block) && slides_on(bv, v, beyond.block, beyond.edge);
+    };
+    return (s <= flush() && on(arriving(be, e)) && !inner(be, e)) ||
+           (s >= length - flush() && on(leaving(be, next(be, e))) && !inner(be, next(be, e)));
   }
 
   // Whether a face of one block has all of the other so far in front of it that nothing meets. Of blocks as parts of bodies, and where corners
   // are met on their way, that does not say so.
   bool apart() const {
-    if (fast() || !surface_.plain[size_t(i_)] || !surface_.plain[size_t(j_)]) return false;
+    if (fast() || !plain(i_) || !plain(j_)) return false;
     const auto before_a_face = [this](int block, int of) {
       for (int e = 0; e < model_.vertex_count(of); ++e) {
         const Face& face = edge(of, e);
@@ -150,6 +161,8 @@ class Pair {
     return before_a_face(i_, j_) || before_a_face(j_, i_);
   }
 
+  bool plain(int block) const { return surface_.whole[size_t(block)] && surface_.convex[size_t(block)]; }
+  bool together(int a, int b) const { return surface_.together(a, b); }
   bool both_convex() const { return surface_.convex[size_t(i_)] && surface_.convex[size_t(j_)]; }
 
   // Whether the outline turns inwards at corner `v` of `block`.
@@ -231,10 +244,7 @@ struct Candidate {
 
 enum class End { first, last };
 
-bool convex(const Pair& pair, int block, int v) {
-  const Vec2 p = pair.vertex(block, v);
-  return cross(p - pair.vertex(block, pair.previous(block, v)), pair.vertex(block, pair.next(block, v)) - p) > 0;
-}
+bool convex(const Pair& pair, int block, int v) { return cross(pair.ahead(block, v), pair.behind(block, v)) > 0; }
 
 // Place along an edge of a vertex that is at `s` now and goes `way`: where it comes to the edge's line from outside, if it does.
 double place_met(const Face& edge, double gap, double s, const Vec2& way) {
@@ -323,7 +333,7 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
   const double distance = (pair.vertex(i, v) - pair.vertex(j, w)).norm();
   if (distance > pair.reach()) return;
   if (pair.inner(i, v) || pair.inner(j, w)) return;  // two faces, each met by itself
-  const int w0 = pair.previous(j, w), v0 = pair.previous(i, v);  // edges before the corners; those after bear its number
+  const int w0 = pair.previous(j, w), v0 = pair.previous(i, v);  // own edges before the corners; those after bear its number
   if (distance <= pair.meeting()) meeting.push_back({i, pair.global(i, v), j, pair.global(j, w)});
   const auto is_here = [&](const Contact& c) {
     return (c.i == i && c.vertex == v && c.j == j && (c.edge == w || c.edge == w0)) ||
@@ -424,6 +434,32 @@ void find_contacts(const Model& model, const Surface& surface, const Faces& face
       if (pair.exposed(b, w)) corner_on_corner(pair, v, w, first, found, meeting);
   drop_twins(pair, first, found);
   least_deep(pair, model, first, found);
+}
+
+void drop_deeper_of_bodies(const Model& model, const Surface& surface, std::vector<Contact>& found) {
+  const auto first_of = [&](const Side& side) { return model.shapes[size_t(side.block)].vertex_begin + side.edge; };
+  const auto last_of = [&](const Side& side) { return model.shapes[size_t(side.block)].vertex_begin + model.next_vertex(side.block, side.edge); };
+  const auto convex = [&](int corner) {
+    const Vec2 &at = model.vertex[size_t(corner)], &ahead = model.vertex[size_t(last_of(surface.leaving[size_t(corner)]))],
+               &behind = model.vertex[size_t(first_of(surface.arriving[size_t(corner)]))];
+    return cross(ahead - at, behind - at) > 0;
+  };
+  const auto deeper = [&](const Contact& c, const Contact& other) {
+    const double flush = flush_part * std::min(model.shapes[size_t(c.i)].length, model.shapes[size_t(c.j)].length);
+    if (c.gap >= -flush || other.gap <= c.gap + flush || other.j == c.j) return false;
+    const int last = last_of({c.j, c.edge});
+    return (first_of(surface.arriving[size_t(c.global_edge)]) == other.global_edge && convex(c.global_edge)) ||
+           (first_of(surface.leaving[size_t(last)]) == other.global_edge && convex(last));
+  };
+  std::vector<char> dropped(found.size(), 0);
+  for (size_t first = 0, end = 0; first < found.size(); first = end) {  // contacts of one corner
+    while (end < found.size() && found[end].global_vertex == found[first].global_vertex) ++end;
+    for (size_t c = first; c < end; ++c)
+      for (size_t other = first; other < end; ++other)
+        if (deeper(found[c], found[other])) dropped[c] = 1;
+  }
+  size_t at = 0;
+  std::erase_if(found, [&](const Contact&) { return dropped[at++] != 0; });
 }
 
 double meeting_distance(const Model& model, int a, int b) {

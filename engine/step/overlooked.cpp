@@ -123,11 +123,11 @@ class Hindsight {
     return state;
   }
 
-  struct Side {
+  struct Met {
     Vec2 at, from, to;            // the vertex; the edge's ends
     double gap, position, length;
   };
-  Side side_of(const Contact& c, Place place) {
+  Met met(const Contact& c, Place place) {
     const Polyline& edges = outline(c.j, place).corners;
     const Vec2 at = outline(c.i, place).corners[c.vertex], from = edges[c.edge], to = edges[model_.next_vertex(c.j, c.edge)];
     const double length = (to - from).norm();
@@ -139,7 +139,7 @@ class Hindsight {
   // vertex's own edges.
   bool touches(const Contact& c, Place place) {
     const double near = tolerance(c.i, c.j);
-    const Side side = side_of(c, place);
+    const Met side = met(c, place);
     if (side.gap <= near && side.position >= -near && side.position <= side.length + near) return true;
     const Polyline& corners = outline(c.i, place).corners;
     const size_t last = (size_t(c.vertex) + corners.size() - 1) % corners.size();
@@ -149,18 +149,19 @@ class Hindsight {
     return false;
   }
 
-  // m, of a point below the surface of the body whose block it is in, or 0. A block may have no more than a corner there.
+  // m, of a point below the surface of the body whose block it is in, or 0.
   double depth(const Vec2& point, int block, Place place) {
     const auto& [corners, box] = outline(block, place);
     if ((point.array() < box.min.array()).any() || (point.array() > box.max.array()).any() || !contains(corners, point)) return 0;
     const Surface& surface = search_.surface();
     double least = model_.shapes[block].length;
     for (int k = 0; k < int(corners.size()); ++k) {
-      const int global = model_.shapes[block].vertex_begin + k;
-      if (surface.free_edge[global])
-        least = std::min(least, distance_to_segment(corners[k], corners[model_.next_vertex(block, k)], point));
-      else if (surface.free_edge[surface.behind[global]])
-        least = std::min(least, (corners[k] - point).norm());
+      const size_t corner = size_t(model_.shapes[block].vertex_begin + k);
+      for (const Side& side : {surface.leaving[corner], surface.arriving[corner]}) {
+        if (!surface.free_edge[size_t(model_.shapes[side.block].vertex_begin + side.edge)]) continue;
+        const Polyline& of = outline(side.block, place).corners;
+        least = std::min(least, distance_to_segment(of[side.edge], of[model_.next_vertex(side.block, side.edge)], point));
+      }
     }
     return least;
   }
