@@ -38,6 +38,7 @@ void carry(const Contact& from, Contact& to) {
   to.parting = from.parting;
   to.load_shear = from.load_shear;
   to.load_slip = from.load_slip;
+  to.coheres = from.coheres;
 }
 
 // Whether the loaded contact `old` ended where `c` begins: the same vertex on another edge, or the same two blocks with

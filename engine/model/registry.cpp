@@ -221,8 +221,9 @@ void visit_state(Strength& strength, StateVisitor& v) {
 }
 
 void visit_state(Contact& contact, StateVisitor& v) {
-  auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset, lies,
-         stretch, slip, normal_force, shear_force, may_part, parts, lifted, parting, deeper, load_shear, load_slip, global_vertex, global_edge] = contact;
+  // coheres: begins anew with each search.
+  [[maybe_unused]] auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset, lies, stretch, slip,
+                          normal_force, shear_force, may_part, parts, lifted, parting, deeper, load_shear, load_slip, coheres, global_vertex, global_edge] = contact;
   v("i", i);
   v("vertex", vertex);
   v("j", j);

@@ -166,6 +166,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   Softening softening;
   const BridgeSearch bridged(bridges_);
   for (BlockState& state : model_.blocks) state.velocity.fill(0);
+  for (Contact& contact : model_.contacts) contact.coheres = false;
   std::optional<Settlement> settlement;
   if (search.in_place && plan_.contacts) settlement.emplace(model_);
   if (plan_.held_blocks) place_held_blocks(model_);
@@ -219,6 +220,9 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
 
 void Equilibrium::assemble(bool stick) {
   const Scheme scheme = Scheme::equilibrium();
+  // Once pressed in a search faces cohere until it ends: cohesion that came and went with the force that depends on it would have it go to and fro.
+  for (Contact& contact : model_.contacts)
+    contact.coheres = contact.coheres || contact.normal_force > ContactTerms::least_pressed * model_.contact_strength(contact).cohesion * contact.length;
   parts_.assemble(scheme, {.stick = stick});
   add_hold(model_, hold_, hold_lead_, parts_.system);
   if (!parts_.fracture) return;
