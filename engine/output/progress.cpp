@@ -14,6 +14,7 @@ namespace {
 
 constexpr double quiet = 1;                               // s of a run without any progress line
 constexpr double terminal_every = 0.1, plain_every = 10;  // s between lines
+constexpr double worth_a_note = 0.01;                      // of the ledger's scale, that is unexplained: the bound of verification
 constexpr const char* clear_line = "\r\x1b[K";
 
 std::string scientific(double value) {
@@ -74,6 +75,10 @@ void Progress::done(const Simulation& simulation, bool ended) {
     std::cerr << "note: the error of " << totals.inaccurate << " of " << totals.steps
               << " steps was beyond time.tolerance at the least step there is: something jumps or rings in them, which shorter ones do not cure; order = \"rigid\", a fixed "
                  "time.dt or a larger dt_min leave out the ringing of blocks\n";
+  const Energies energies = simulation.energies();
+  if (std::abs(energies.unexplained) > worth_a_note * energies.scale)
+    std::cerr << "note: " << significant(100 * std::abs(energies.unexplained) / energies.scale, 2)
+              << " % of the energy is unexplained (sim.energy.unexplained over scale): more load steps or a smaller time.dt tell whether the answer hangs on it\n";
   std::cerr << done_line(ended ? std::numeric_limits<double>::quiet_NaN() : simulation.model.time, totals.steps, static_cast<long>(simulation.model.shapes.size()), cpu, simulation.model.scene.output.dir)
             << std::endl;
 }

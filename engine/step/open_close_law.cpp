@@ -60,9 +60,9 @@ void OpenClose::judge_residual(const ContactProblem& problem, bool as_it_lies, O
   std::vector<double> scale = problem.system.force_scale, rounding = problem.system.force_rounding;
   const auto& rows = problem.contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
-    const double normal = normal_force(rows[k], k);
+    const double normal = normal_force(rows[k], k), shear = std::min(rows[k].ks * std::abs(slide_[k]), friction_limit(rows[k], normal));
     for (const int block : {rows[k].i, rows[k].j}) {
-      scale[block] += normal;
+      scale[block] += std::max(normal, shear);  // cohesion holds faces that are not pressed
       if (as_it_lies) rounding[block] += rows[k].kn * rows[k].rounding;
     }
   }
@@ -72,7 +72,9 @@ void OpenClose::judge_residual(const ContactProblem& problem, bool as_it_lies, O
     if (problem.dofs[b] == 0) continue;
     const double out = r_.segment(problem.dof_begin[b], problem.dofs[b]).norm();
     if (out <= rounding[b]) continue;
-    const double relative = (out - rounding[b]) / std::max(scale[b], floor);
+    const double meets = std::max(scale[b], floor);
+    // Blocks that fly, on the way to where nothing presses on them: all of it is out of balance.
+    const double relative = meets == 0 && std::isfinite(out) ? 1 : (out - rounding[b]) / meets;
     if (std::isnan(result.residual) || relative <= result.residual) continue;
     result.residual = relative;  // also where it is not a number: the worst there is
     result.worst_block = problem.blocks[b];
