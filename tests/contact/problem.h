@@ -75,6 +75,7 @@ class Desk {
   bool factorise(const std::vector<double>& normal, const std::vector<double>& shear,
                  const std::vector<double>* cross = nullptr);
   void refactorise() { solver_.factor(matrix_); }  // the same once more, not counted
+  void analyse_again() { solver_.analyse(matrix_); }
   void solve(const Vector& b, Vector& x) { solver_.solve(b, x); }
 
  private:
@@ -92,7 +93,11 @@ class Desk {
 };
 
 // s of CPU, the least of so many: one factorisation and solve with all springs of the problem in the matrix.
-double bare_cost(const Problem& problem, int times);
+struct BareCost {
+  double known = 0;  // of a pattern that has been analysed
+  double fresh = 0;  // of one that has not: with its order and symbolic factor
+};
+BareCost bare_cost(const Problem& problem, int times);
 
 // Runs a scene and prints what its steps cost beside a bare factorisation and solve of their system, every so many steps.
 int report_steps(const std::string& script, const std::vector<std::pair<std::string, std::string>>& parameters);

@@ -74,7 +74,7 @@ void print_row(const Problem& problem, const Named& candidate, const Outcome& ou
 // which an island that needed it in the step before gets at once.
 void compare(Problem& problem, double own, Tallies& tallies) {
   if (Desk(problem).count() == 0) throw std::runtime_error(problem.name + ": nothing touches in this step");
-  problem.bare = bare_cost(problem, 10);
+  problem.bare = bare_cost(problem, 10).known;
   std::vector<Outcome> outcomes;
   for (const Named& candidate : candidates()) {
     Desk desk(problem);
