@@ -136,13 +136,13 @@ class Pair {
   }
 
   // Whether corner `v` of `bv`, at the place `s` along edge `e` of `be`, passes its end flush with the face beyond it: at
-  // an outer corner. At an inner one that face is a wall, and the corner slides down it onto the edge.
+  // an outer corner. At an inner one that face is a wall, and the corner slides down it onto the edge; at none it lies on both.
   bool passes_flush(int bv, int v, int be, int e, double s, double length) const {
     const auto on = [&](const Side& beyond) {  // at the end of a crack that is the block's own side, or one that it is bonded to
       return free(beyond) && beyond.block != bv && !together(bv, beyond.block) && slides_on(bv, v, beyond.block, beyond.edge);
     };
-    return (s <= flush() && on(arriving(be, e)) && !inner(be, e)) ||
-           (s >= length - flush() && on(leaving(be, next(be, e))) && !inner(be, next(be, e)));
+    return (s <= flush() && on(arriving(be, e)) && outer(be, e)) ||
+           (s >= length - flush() && on(leaving(be, next(be, e))) && outer(be, next(be, e)));
   }
 
   // Whether a face of one block has all of the other so far in front of it that nothing meets. Of blocks as parts of bodies, and where corners
@@ -165,11 +165,9 @@ class Pair {
   bool together(int a, int b) const { return surface_.together(a, b); }
   bool both_convex() const { return surface_.convex[size_t(i_)] && surface_.convex[size_t(j_)]; }
 
-  // Whether the outline turns inwards at corner `v` of `block`.
-  bool inner(int block, int v) const {
-    const Vec2 d = ahead(block, v), b = behind(block, v);
-    return cross(d, b) < -parallel_sine * d.norm() * b.norm();
-  }
+  // Whether the outline turns inwards at corner `v` of `block`; outwards.
+  bool inner(int block, int v) const { return turn_of_outline(block, v) < -parallel_sine; }
+  bool outer(int block, int v) const { return turn_of_outline(block, v) > parallel_sine; }
 
   // Whether a corner at the place `s` along edge `e` of `be` is on it. At an inner corner the edge goes on under the
   // wall, where a corner that presses on both is.
@@ -210,6 +208,10 @@ class Pair {
     const Joint& joint = model_.joints[j];
     const int own = joint.a == block ? joint.edge_a : joint.b == block ? joint.edge_b : -1;
     return own >= 0 && (own == v || next(block, own) == v) ? j : -1;
+  }
+  double turn_of_outline(int block, int v) const {  // sine, outwards
+    const Vec2 d = ahead(block, v), b = behind(block, v);
+    return cross(d, b) / (d.norm() * b.norm());
   }
   static bool lies_along(const Vec2& d, const Vec2& n) { return std::abs(d.dot(n)) <= parallel_sine * d.norm(); }
   static bool leads_away(const Vec2& d, const Vec2& n) { return d.dot(n) >= -parallel_sine * d.norm(); }

@@ -122,7 +122,7 @@ void Equilibrium::start_sliding() {
       hold_[b] = sliding_hold * std::pow(model_.extent / model_.shapes[b].length, 2);
     hold_lead_ = lead;
     parts_.search.update(model_, 0);
-    assemble(false);
+    assemble(false, false);
     hold_lead_.resize(0);
     Vector d;
     if (!solve(d).converged) return;
@@ -180,7 +180,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
       parts_.search.update(model_, 0);
     }
     bridges_.take(softening.share());
-    assemble(stick);
+    assemble(stick, search.whole_way);
     result = parts_.islands.judge(model_, parts_.system, parts_.contacts, i > 0 ? enough : -1);
     report.residual = result.residual;
     since_fall = result.residual < 0.99 * least_residual ? 0 : since_fall + 1;
@@ -218,11 +218,12 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   return false;
 }
 
-void Equilibrium::assemble(bool stick) {
+// `whole_way`: faces that have been pressed in the search cohere until it ends. A cohesion that came and went with the force that depends on it would have it go to
+// and fro; other searches do, and may lead far from where faces were pressed.
+void Equilibrium::assemble(bool stick, bool whole_way) {
   const Scheme scheme = Scheme::equilibrium();
-  // Once pressed in a search faces cohere until it ends: cohesion that came and went with the force that depends on it would have it go to and fro.
   for (Contact& contact : model_.contacts)
-    contact.coheres = contact.coheres || contact.normal_force > ContactTerms::least_pressed * model_.contact_strength(contact).cohesion * contact.length;
+    contact.coheres = (whole_way && contact.coheres) || contact.normal_force > ContactTerms::least_pressed * model_.contact_strength(contact).cohesion * contact.length;
   parts_.assemble(scheme, {.stick = stick});
   add_hold(model_, hold_, hold_lead_, parts_.system);
   if (!parts_.fracture) return;

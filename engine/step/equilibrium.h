@@ -39,7 +39,7 @@ class Equilibrium {
   bool find(bool stick, double hold, int iterations, EquilibriumSearch& search);
   void start_sliding();
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
-  void assemble(bool stick);
+  void assemble(bool stick, bool whole_way);
   IslandResult solve(Vector& d);
   void keep_rest(std::vector<BlockState>& moved);
   void accept(std::vector<BlockState>& moved, const Vector& d);

@@ -6,9 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
-#include "equations/viscous_terms.h"
 #include "model/rates.h"
 #include "step/attempt.h"
 #include "step/damping.h"

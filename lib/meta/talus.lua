@@ -184,7 +184,7 @@ function talus.grade(fields) end
 ---@field cuts? (talus.trace|talus.joint_set)[]|table joints that cut it; lists of traces as from a file may stand among them
 ---@field slivers? "merge"|"refuse"|"keep" blocks that cuts leave thinner than sliver_part: joined to a neighbour, with shorter edges closed; refused; or kept. A note says how many; triangles of a mesh are not merged
 ---@field sliver_part? number in [0, 0.2]; of the mesh size, or of the square root of the mean block area where there is no mesh; a block's thickness is 2·area/perimeter
----@field order? 1|2|"rigid"|fun(x: number, y: number): integer|string `1`: blocks deform with constant strain (6 unknowns); `2`: with a strain that varies linearly (12); `"rigid"`: not at all (3). A function of the centroid's x and y gives each block its own
+---@field order? 1|2|"rigid"|fun(x: number, y: number): integer|string `1`: blocks deform with constant strain (6 unknowns); `2`: with a strain that varies linearly (12); `"rigid"`: not at all (3). A function of the centroid's x and y gives each block its own. A single block of 2 that contacts carry at its corners bends by 0.2 to 1.8 of what it should, as contacts follow the mean of its edges: mesh what bends
 ---@field held? boolean fixed as a whole: no unknowns; moves only by a `talus.fix` with a motion
 ---@field velocity? number[] m/s; at the start
 ---@field spin? number rad/s; at the start, counter-clockwise
@@ -470,7 +470,7 @@ function talus.simulation(fields) end
 
 ---@class talus.time
 ---@field mode? "dynamic"|"static" `static` solves for equilibrium
----@field t_end? number s; >= 0; end; static: load histories run from 0 to it, and velocities of a `fix` act so long
+---@field t_end? number s; >= 0; end, > 0 in dynamic mode; static: load histories run from 0 to it, and velocities of a `fix` act so long
 ---@field steps? integer in [1, 1000000]; static: load steps; where bonds can fail, or what is held moves by more than displacement_ratio in one, more are put between them
 ---@field dt? number s; > 0; fixed time step
 ---@field dt_min? number s; > 0; least step; below it the run stops with an error

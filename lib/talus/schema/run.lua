@@ -61,7 +61,7 @@ return {
         doc = "`static` solves for equilibrium" },
       { name = "t_end", type = "number", least = 0, unit = "s", default = 1,
         default_doc = "static: 1; dynamic: required",
-        doc = "end; static: load histories run from 0 to it, and velocities of a `fix` act so long" },
+        doc = "end, > 0 in dynamic mode; static: load histories run from 0 to it, and velocities of a `fix` act so long" },
       { name = "steps", type = "integer", least = 1, most = 1000000, default = 1,
         doc = "static: load steps; where bonds can fail, or what is held moves by more than displacement_ratio in one, more are put between them" },
       { name = "dt", type = "number", above = 0, unit = "s", default_doc = "automatic", doc = "fixed time step" },
