@@ -75,6 +75,8 @@ class ContactSearch {
   double least_length() const { return least_length_; }  // m, of all blocks
   // The next search looks whatever has moved.
   void forget_last() { seen_.clear(); }
+  // Bonds that had failed are whole again: as many as others may fail before the next search.
+  void forget_surface() { intact_joints_ = -1; }
   // States of joints were set from outside: the surface is found anew.
   void forget(const Model& model) {
     intact_joints_ = -1;

@@ -1,5 +1,7 @@
 #include "contact/narrow_phase.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

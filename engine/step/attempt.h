@@ -22,8 +22,9 @@ class Attempt {
   }
   ~Attempt() {
     if (kept_) return;
-    again();
+    restore_contacts();
     search_.forget_last();
+    if (fracture_ && !fracture_->events().empty()) search_.forget_surface();
     if (!blocks_.empty()) {
       model_.blocks = std::move(blocks_);
       model_.vertex = std::move(vertex_);
@@ -42,7 +43,7 @@ class Attempt {
     support_gaps_ = model_.support_gaps;
   }
   double ahead_before() const { return before_.ahead; }
-  void again() {  // the same step, with the bonds that have failed in it
+  void restore_contacts() {  // those of the step's start
     model_.contacts.resize(size_t(model_.sleeping_contacts));
     model_.contacts.insert(model_.contacts.end(), contacts_.begin(), contacts_.end());
   }

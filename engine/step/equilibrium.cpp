@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "equations/block_terms.h"
@@ -15,7 +16,7 @@ namespace talus {
 
 namespace {
 
-// EquilibriumSearch with contacts is found by steps against a little inertia, which a loose block needs to stay
+// Equilibrium with contacts is found by steps against a little inertia, which a loose block needs to stay
 // put: this part of (wave speed / size)², far below the slowest mode of what is held.
 constexpr double least_hold = 1e-4;
 // Of what gives way: it then moves in a step no farther than waves take it through the whole scene, so that the crack that takes
@@ -99,7 +100,7 @@ std::string Equilibrium::settle() {
   if (!settles(true, 0, equilibrium_iterations, stuck)) {
     if (stuck.last.singular_block >= 0) give_up(stuck);
     return "no settled start: even with joints that do not slide, " + culprit(stuck) +
-           " topples or falls; the run starts at rest as given";
+           (stuck.left >= 0 ? " topples or falls" : " keeps moving") + "; the run starts at rest as given";
   }
   // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
   // starts from there, or the first steps would shake it.
@@ -149,11 +150,13 @@ bool Equilibrium::balance(EquilibriumSearch& search) {
     whole.whole_way = true;
     const bool found = find(false, 0, parts_.fracture ? whole_way_among_cracks : equilibrium_iterations, whole);
     if (found) attempt.keep();
-    if (found || whole.last.singular_block >= 0 || whole.left >= 0) {
+    const bool must_not_jump = whole.jumped && !whole.may_jump;
+    if (found || whole.last.singular_block >= 0 || whole.left >= 0 || must_not_jump) {
       search = std::move(whole);
       return found;
     }
     search.jumped = whole.jumped;
+    search.report.iterations = whole.report.iterations;
   }
   return find(false, 0, equilibrium_iterations, search);
 }

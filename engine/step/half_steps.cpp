@@ -117,7 +117,8 @@ StepReport HalfSteps::halves(double dt, double end) {
   fractures_.clear();
   gas_events_.clear();
   take_half(dt / 2, sum);
-  while (end - model_.time > 1e-9 * dt) take_half(std::min(dt / 2, end - model_.time), sum);
+  // What a half that was cut has left is shared between two, so that none is a sliver.
+  for (double rest = end - model_.time; rest > 1e-9 * dt; rest = end - model_.time) take_half(rest > dt / 2 * (1 + 1e-9) ? std::min(dt / 2, rest / 2) : rest, sum);
   model_.time = end;  // to the last bit: output waits for it
   return sum;
 }

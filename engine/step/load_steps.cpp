@@ -56,6 +56,12 @@ LoadSteps::LoadSteps(StepParts& parts)
     : parts_(parts), model_(parts.model), plan_(parts.plan), totals_(parts.totals), ledger_(parts.ledger), equilibrium_(parts) {}
 
 StepReport LoadSteps::step(double to, bool first) {
+  const StepReport report = take(to, first);
+  for (Fixity& fixity : model_.scene.fixities) fixity.go_on(model_.time);
+  return report;
+}
+
+StepReport LoadSteps::take(double to, bool first) {
   parts_.prepare_bonds();
   // What touches at the start, before supports move: they would press from the start on only with what comes after.
   if (first && plan_.contacts) parts_.search.update(model_, 0);

@@ -21,6 +21,7 @@ class LoadSteps {
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
 
  private:
+  StepReport take(double to, bool first);
   double reachable(double to) const;
   double foreseen(double from, double to, double utilisation) const;
   StepReport raise_load(double to, bool first);

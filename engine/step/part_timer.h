@@ -1,7 +1,7 @@
 #pragma once
 // CPU time by part, added to the run's totals.
 #include "step/clock.h"
-#include "step/simulation.h"
+#include "step/totals.h"
 
 namespace talus {
 

@@ -16,73 +16,6 @@
 
 namespace talus {
 
-void visit_state(RunTotals& totals, StateVisitor& v) {
-  // parts, of_steps: CPU time is the process's.
-  [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, sweeps, splittings, pivots, steps_at_rest, steps_by_sweeps,
-                          islands, failures, inaccurate, largest_iterations, largest_utilisation, largest_residual, parts, of_steps] = totals;
-  v("steps", steps);
-  v("iterations", iterations);
-  v("cuts", cuts);
-  v("factorisations", factorisations);
-  v("sweeps", sweeps);
-  v("splittings", splittings);
-  v("pivots", pivots);
-  v("steps_at_rest", steps_at_rest);
-  v("steps_by_sweeps", steps_by_sweeps);
-  for (long* count : {&islands.at_rest, &islands.single, &islands.by_sweeps, &islands.with_factor, &islands.asleep})
-    v("islands", *count);
-  v("failures", failures);
-  v("inaccurate", inaccurate);
-  v("largest_iterations", largest_iterations);
-  v("largest_utilisation", largest_utilisation);
-  v("largest_residual", largest_residual);
-}
-
-void visit_state(StepReport& report, StateVisitor& v) {
-  auto& [step, time, dt, iterations, cuts, factorisations, residual, displacement, closed_contacts, failures, utilisation,
-         error, collapsed] = report;
-  v("step", step);
-  v("time", time);
-  v("dt", dt);
-  v("iterations", iterations);
-  v("cuts", cuts);
-  v("factorisations", factorisations);
-  v("residual", residual);
-  v("displacement", displacement);
-  v("closed_contacts", closed_contacts);
-  v("failures", failures);
-  v("utilisation", utilisation);
-  v("error", error);
-  v("collapsed", collapsed);
-}
-
-double& RunTotals::seconds(const std::string& part) {
-  for (Part& p : parts)
-    if (p.name == part) return p.seconds;
-  parts.push_back({part, 0});
-  return parts.back().seconds;
-}
-
-void RunTotals::add_of_step(const char* part, double wall) {
-  for (StepPart& own : of_steps.parts)
-    if (own.name == part) {
-      own.wall += wall;
-      return;
-    }
-  of_steps.parts.push_back({part, wall});
-}
-
-void RunTotals::end_step(bool book) {
-  constexpr double enough = 1e-3;  // s
-  const double wall = wall_seconds() - of_steps.wall;
-  if (!book && wall < enough) return;
-  const double cpu = cpu_seconds() - of_steps.cpu;
-  for (StepPart& part : of_steps.parts) seconds(part.name) += part.wall * (wall > 0 ? cpu / wall : 1);
-  of_steps.parts.clear();
-  of_steps.cpu += cpu;
-  of_steps.wall += wall;
-}
-
 Simulation::Simulation(Scene scene) {
   const double start = cpu_seconds();
   model = build(std::move(scene));
@@ -126,7 +59,6 @@ void Simulation::take_step() {
   last = half_steps_ ? half_steps_->step()
          : plan.dynamic ? stepper_->dynamic_step()
                         : load_steps_->step(next_load(), totals.steps == 0);
-  for (Fixity& fixity : model.scene.fixities) fixity.go_on(model.time);
   ++totals.steps;
   last.factorisations = int(totals.factorisations - factors);
   totals.failures += last.failures;
@@ -151,13 +83,14 @@ double Simulation::next_load() const {
 void Simulation::begin() {
   if (begun_) return;
   const bool settled = plan.dynamic && model.scene.time.settled_start;
-  if (settled) settle();
+  std::string unsettled = settled ? settle() : "";
   if (plan.fracture)
     for (int count = parts_->initial_cracks(); count > 0; count = parts_->initial_cracks()) {
       totals.failures += count;
       stepper_->step_size().broken(model);
-      if (settled) settle();
+      if (settled) unsettled = settle();
     }
+  if (!unsettled.empty()) notes.push_back(unsettled);
   if (totals.failures > 0)
     notes.push_back(totals.failures == 1
                         ? "1 bond is beyond its strength at the start: it begins as a crack"
@@ -166,15 +99,17 @@ void Simulation::begin() {
     notes.push_back("viscous boundaries are held like fixed edges: in a static scene nothing moves that they could absorb");
   begin_ledger();
   begun_ = true;
+  recovered_step_ = -1;
 }
 
 void Simulation::begin_ledger() { parts_->begin_ledger(plan.dynamic ? stepper_->first_ahead() : 0); }
 
-void Simulation::settle() {
+std::string Simulation::settle() {
   std::vector<std::array<double, max_dofs>> velocities;
   for (const BlockState& state : model.blocks) velocities.push_back(state.velocity);
-  if (const std::string note = Equilibrium(*parts_).settle(); !note.empty()) notes.push_back(note);
+  std::string note = Equilibrium(*parts_).settle();
   for (size_t b = 0; b < velocities.size(); ++b) model.blocks[b].velocity = velocities[b];
+  return note;
 }
 
 void Simulation::visit_state(StateVisitor& visitor) {
@@ -258,6 +193,7 @@ void Simulation::before_change() {
   if (changed_ || !begun_ || !plan.dynamic) return;
   rest_at_change_ = energies().unexplained;
   changed_ = true;
+  recovered_step_ = -1;
 }
 
 void Simulation::book_change() {

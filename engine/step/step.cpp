@@ -120,6 +120,7 @@ StepReport Stepper::dynamic_step(double most) {
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
     if (parts_.gas) parts_.gas->end_step(dt);
+    for (Fixity& fixity : model_.scene.fixities) fixity.go_on(model_.time);
     if (dt < most) step_size_.accepted(dt, course.far, effort_, split_anew_);
     half_done_ = false;
     report.dt = dt;
@@ -170,7 +171,7 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
   std::vector<BlockState> seen;  // where the step led before it went past contacts
   report.utilisation = 0;
   nearness_.clear();
-  for (;; attempt.again()) {
+  for (;; attempt.restore_contacts()) {
     // 2. Candidate pairs of vertices and edges, with the state of those that go on.
     if (parts_.fracture) parts_.fracture->recall_tractions();
     if (plan_.contacts) {

@@ -21,7 +21,7 @@ class Stepper {
   // is then as it was, as when a law of the script throws but where half_done().
   // `most`: s, no step is longer.
   StepReport dynamic_step(double most = std::numeric_limits<double>::infinity());
-  // A step was left by an exception: bonds are judged where the blocks are, not where it would have led.
+  // A step was left by an exception. Where none could be accepted, bonds are judged where the blocks are, not where the last attempt had led.
   void left();
   // It was left after it had been accepted, before all was done that follows; until restored().
   bool half_done() const { return half_done_; }

@@ -23,7 +23,7 @@ class Lent {  // blocks where a step leads, also where a criterion of the script
 
 }  // namespace
 
-// Not where a law had failed or had no end, which would be asked again: then as the next step begins.
+// After give_up() alone. A law of the script that failed would be asked again here: its bonds are judged as the next step begins.
 void Stepper::left() {
   if (std::exchange(gave_up_, false) && judged_astray_) judge_again();
 }

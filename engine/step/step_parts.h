@@ -16,8 +16,8 @@
 #include "scene/plan.h"
 #include "step/island_solver.h"
 #include "step/ledger.h"
-#include "step/simulation.h"
 #include "step/sleep.h"
+#include "step/totals.h"
 
 namespace talus {
 
