@@ -434,7 +434,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   if (!seen.empty()) forget_last();  // it was of other velocities
   drop_points(model, meeting, surface_.bonded, now);
   sort_by_key(now);
-  drop_deeper_of_bodies(model, surface_, now);
+  drop_hidden(model, surface_, now);
   carry_over(model, dt, cracked, now);
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());

@@ -440,30 +440,94 @@ void find_contacts(const Model& model, const Surface& surface, const Faces& face
   least_deep(pair, model, first, found);
 }
 
-void drop_deeper_of_bodies(const Model& model, const Surface& surface, std::vector<Contact>& found) {
-  const auto first_of = [&](const Side& side) { return model.shapes[size_t(side.block)].vertex_begin + side.edge; };
-  const auto last_of = [&](const Side& side) { return model.shapes[size_t(side.block)].vertex_begin + model.next_vertex(side.block, side.edge); };
-  const auto convex = [&](int corner) {
-    const Vec2 &at = model.vertex[size_t(corner)], &ahead = model.vertex[size_t(last_of(surface.leaving[size_t(corner)]))],
-               &behind = model.vertex[size_t(first_of(surface.arriving[size_t(corner)]))];
-    return cross(ahead - at, behind - at) > 0;
-  };
-  const auto deeper = [&](const Contact& c, const Contact& other) {
-    const double flush = flush_part * std::min(model.shapes[size_t(c.i)].length, model.shapes[size_t(c.j)].length);
-    if (c.gap >= -flush || other.gap <= c.gap + flush || other.j == c.j) return false;
+namespace {
+
+// Contacts of all pairs in order of their corners, by the outlines of bodies.
+class Together {
+ public:
+  Together(const Model& model, const Surface& surface, const std::vector<Contact>& found) : model_(model), surface_(surface), found_(found) {}
+
+  // Whether the corner is inside two sides of a body that share a convex corner, but belong to different blocks, and less deep in the other: it rests on the
+  // one it entered last. By so much that both blocks, whose corners lie a bond's strain apart, would say so.
+  bool deeper_than_beside(const Contact& c) const {
+    const double flush = flush_of(c);
+    if (c.gap >= -flush) return false;
     const int last = last_of({c.j, c.edge});
-    return (first_of(surface.arriving[size_t(c.global_edge)]) == other.global_edge && convex(c.global_edge)) ||
-           (first_of(surface.leaving[size_t(last)]) == other.global_edge && convex(last));
-  };
-  std::vector<char> dropped(found.size(), 0);
-  for (size_t first = 0, end = 0; first < found.size(); first = end) {  // contacts of one corner
-    while (end < found.size() && found[end].global_vertex == found[first].global_vertex) ++end;
-    for (size_t c = first; c < end; ++c)
-      for (size_t other = first; other < end; ++other)
-        if (deeper(found[c], found[other])) dropped[c] = 1;
+    const auto beside = [&](const Contact& other) {
+      if (other.gap <= c.gap + flush || other.j == c.j) return false;
+      return (first_of(surface_.arriving[size_t(c.global_edge)]) == other.global_edge && convex(c.global_edge)) ||
+             (first_of(surface_.leaving[size_t(last)]) == other.global_edge && convex(last));
+    };
+    return any_of_corner(c.global_vertex, beside);
   }
+
+  // Whether the corner comes to the end of the edge in a surface on which others carry the body of the one, while that of the other lies under it, as
+  // the tip of a piece between joints that come out there: no wall stands above it.
+  bool under_a_face(const Contact& c) const {
+    const Vec2 &at = place(c.global_vertex), from = place(c.global_edge), along = place(last_of({c.j, c.edge})) - from;
+    const Vec2 rate = model_.velocity_at(c.i, at) - model_.velocity_at(c.j, at);
+    const double length = along.norm(), flush = flush_of(c), closing = cross(along, rate) / length;  // m/s
+    const double s = along.dot(at - from) / length + (c.gap > 0 && closing > 0 ? along.dot(rate) / length * c.gap / closing : 0);  // where it comes to the edge's line
+    if (s > flush && s < length - flush) return false;
+    const int end = s <= flush ? c.global_edge : last_of({c.j, c.edge});
+    const auto carried = [&](int above, int below) {
+      const auto lies_under = [&](const Contact& k, double up) {  // the surface is the edge of k, its normal up times outwards
+        if (std::abs(k.gap) > flush) return false;
+        const Vec2 begin = place(k.global_edge), normal = -up * perp(place(last_of({k.j, k.edge})) - begin).normalized();
+        if (std::abs(normal.dot(along)) < parallel_sine * length || std::abs(normal.dot(place(below) - begin)) > flush) return false;
+        const auto leads_down = [&](const Vec2& way) { return normal.dot(way) <= parallel_sine * way.norm(); };
+        return leads_down(ahead(below)) && leads_down(behind(below));
+      };
+      const auto third = [&](int block) { return block != c.i && block != c.j; };
+      return any_of_corner(above, [&](const Contact& k) { return third(k.j) && lies_under(k, 1); }) ||
+             any_on_edge(first_of(surface_.leaving[size_t(above)]), [&](const Contact& k) { return third(k.i) && lies_under(k, -1); }) ||
+             any_on_edge(first_of(surface_.arriving[size_t(above)]), [&](const Contact& k) { return third(k.i) && lies_under(k, -1); });
+    };
+    return carried(c.global_vertex, end) || carried(end, c.global_vertex);
+  }
+
+ private:
+  double flush_of(const Contact& c) const { return flush_part * std::min(model_.shapes[size_t(c.i)].length, model_.shapes[size_t(c.j)].length); }
+  const Vec2& place(int corner) const { return model_.vertex[size_t(corner)]; }
+  int first_of(const Side& side) const { return model_.shapes[size_t(side.block)].vertex_begin + side.edge; }
+  int last_of(const Side& side) const { return model_.shapes[size_t(side.block)].vertex_begin + model_.next_vertex(side.block, side.edge); }
+  Vec2 ahead(int corner) const { return place(last_of(surface_.leaving[size_t(corner)])) - place(corner); }
+  Vec2 behind(int corner) const { return place(first_of(surface_.arriving[size_t(corner)])) - place(corner); }
+  bool convex(int corner) const { return cross(ahead(corner), behind(corner)) > 0; }
+  template <typename Is>
+  bool any_of_corner(int corner, Is is) const {
+    auto c = std::lower_bound(found_.begin(), found_.end(), corner, [](const Contact& of, int vertex) { return of.global_vertex < vertex; });
+    for (; c != found_.end() && c->global_vertex == corner; ++c)
+      if (is(*c)) return true;
+    return false;
+  }
+
+  template <typename Is>
+  bool any_on_edge(int edge, Is is) const {
+    if (by_edge_.size() != found_.size()) {
+      for (const Contact& c : found_) by_edge_.push_back({c.global_edge, &c});
+      std::sort(by_edge_.begin(), by_edge_.end());
+    }
+    auto c = std::lower_bound(by_edge_.begin(), by_edge_.end(), std::pair<int, const Contact*>(edge, nullptr));
+    for (; c != by_edge_.end() && c->first == edge; ++c)
+      if (is(*c->second)) return true;
+    return false;
+  }
+
+  const Model& model_;
+  const Surface& surface_;
+  const std::vector<Contact>& found_;
+  mutable std::vector<std::pair<int, const Contact*>> by_edge_;  // where it has been asked for
+};
+
+}  // namespace
+
+void drop_hidden(const Model& model, const Surface& surface, std::vector<Contact>& found) {
+  const Together together(model, surface, found);
+  std::vector<char> hidden;
+  for (const Contact& c : found) hidden.push_back(together.deeper_than_beside(c) || together.under_a_face(c));
   size_t at = 0;
-  std::erase_if(found, [&](const Contact&) { return dropped[at++] != 0; });
+  std::erase_if(found, [&](const Contact&) { return hidden[at++] != 0; });
 }
 
 double meeting_distance(const Model& model, int a, int b) {

@@ -19,9 +19,8 @@ struct MeetingCorners {
 void find_contacts(const Model& model, const Surface& surface, const Faces& faces, int a, int b, double dt, std::vector<Contact>& found,
                    std::vector<MeetingCorners>& meeting);
 
-// Of contacts of all pairs, in order of their corners: where a corner is inside two sides of a body that share a convex corner, but belong to different blocks, it rests on
-// the one it entered last. By so much that both blocks, whose corners lie a bond's strain apart, would say so.
-void drop_deeper_of_bodies(const Model& model, const Surface& surface, std::vector<Contact>& found);
+// Drops those of all pairs, in order of their corners, that a side of the body beside them hides, or a face above them.
+void drop_hidden(const Model& model, const Surface& surface, std::vector<Contact>& found);
 
 // Corners nearer than this are in one place, m.
 double meeting_distance(const Model& model, int a, int b);

@@ -1,5 +1,5 @@
 -- 43. Bodies of bonded blocks, whose corner belongs to two of them, against what is met at that corner: slide from one flush slab to the next
--- (vx to 1e-5), rest on a short bearing (no thrust, the sag of the same beam on pins), fall past a table that they touch.
+-- (vx to 1e-5), over a loose tip that comes out between two (case 10's friction), rest on a short bearing (no thrust, the sag of the same beam on pins), fall past a table that they touch.
 -- Source: momentum; statics; Timoshenko & Goodier, § 22, with the shear of a rectangle, 6/5; free fall. Ours: the side face of the corner's other block was
 -- taken for a wall: bodies stopped at the joint at every step, ledges thrust at beams by three times their weight, and what touched a table hung on it. (5 s CPU)
 -- Run: scripts/run tests/hard/43_meshed_bodies.lua -p full=true      (quick: fewer meshes and steps)
@@ -61,6 +61,34 @@ for _, name in ipairs(names) do
   talus.check.near("slide over a joint, " .. name .. ": slowest of all at the end, m/s", slowest, 1, { abs = 1e-5 })
   talus.check.below("slide over a joint, " .. name .. ": energy unexplained", rest, 1e-3)
   talus.check.below("slide over a joint, " .. name .. ": cuts of a run", cuts, 2)
+end
+
+-- Over a piece between open joints that has only its tip in the surface, as where cracks come out: Coulomb, v = v0 − μ g t.
+local mu = 0.2
+local rough = talus.joint { name = "rough", friction = math.atan(mu) }
+for _, tip in ipairs { { "upright", 0, 1 }, { "leaning", 1, 0.2 }, { "symmetrical", 0.5, 0.5 }, { "blunt", 1, 1 } } do
+  local label, left, right = table.unpack(tip)  -- m, of its sides at 1 m below
+  local off, cuts = 0, 0
+  for _, gap in ipairs { 0, 1e-6, 1e-3 } do
+    for _, order in ipairs { "rigid", 1 } do
+      for _, dt in ipairs { 1e-3, 5e-3 } do
+        for _, name in ipairs { "two triangles that share the corner", "triangles of 0.3 m" } do
+          local sim = talus.simulation {
+            gravity = {0, -g}, contact = rough,
+            regions = { body(name, { velocity = {2, 0}, order = order }),
+                        talus.region { name = "slab", blocks = { { {-4, -1}, {-left, -1}, {0, 0}, {-4, 0} } }, material = rock, held = true },
+                        talus.region { name = "tip", blocks = { { {gap, 0}, {gap - left, -1}, {gap + right, -1} } }, material = rock, held = true },
+                        talus.region { name = "next", blocks = { { {2*gap, 0}, {2*gap + right, -1}, {4, -1}, {4, 0} } }, material = rock, held = true } },
+            time = { mode = "dynamic", t_end = 0.6, dt = dt, start = "settled" },
+          }
+          sim:run()
+          off, cuts = math.max(off, math.abs(mean_speed(sim) - (2 - mu*g*0.6))), math.max(cuts, sim.totals.cuts)
+        end
+      end
+    end
+  end
+  talus.check.below("slide over a loose tip, " .. label .. ": speed off, m/s", off, 1e-4)
+  talus.check.below("slide over a loose tip, " .. label .. ": cuts of a run", cuts, 2)
 end
 
 -- A square on two ledges: their forces are its weight, and nothing along them.
