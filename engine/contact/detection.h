@@ -56,9 +56,6 @@ struct Surface {
   bool together(int a, int b) const { return bonded.contains(pair_key(a, b)); }
 };
 
-// m, of a contact as the blocks lie; negative where the vertex is below the edge's line.
-double gap_now(const Model& model, const Contact& contact);
-
 class ContactSearch {
  public:
   // Replaces the contacts of what is awake by the candidates of the next step, in order of (vertex, edge). Contacts that go

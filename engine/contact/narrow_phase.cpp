@@ -9,14 +9,13 @@
 #include <optional>
 
 #include "contact/detection.h"
+#include "contact/outline.h"
 #include "contact/way_out.h"
 
 namespace talus {
 
 namespace {
 
-// Edges within 3° count as lying along each other (Shi 1988 uses the same bound).
-constexpr double parallel_sine = 0.052;
 // Corners that meet within this part of an edge's length count as on it: rounding, not geometry.
 constexpr double corner_part = 1e-9;
 // Corners within this part of the smaller block's √area are in one place: a node of a mesh that has been shaken.
@@ -24,9 +23,6 @@ constexpr double meeting_part = 1e-3;
 // An edge–edge contact is as stiff as one of at least this part of the smaller block's √area: what touches with a hair's
 // breadth now and slides on must not stay as soft as a hair.
 constexpr double least_shared = 0.1;
-// A corner that stays this near to the plane of a face, in units of the smaller block's √area, with an edge along the
-// face, slides on it and does not catch on the face round its end: coplanar blocks pass their load on without a snag.
-constexpr double flush_part = 1e-4;
 constexpr double grazing_slope = 0.1;  // it moves along the face, not onto it
 // What comes to the line of an edge farther than this beyond the edge's ends passes it by, in units of the smaller block's √area.
 constexpr double beside_part = passing_tolerance;
@@ -41,6 +37,7 @@ class Pair {
   Pair(const Model& model, const Surface& surface, const Faces& faces, int i, int j, double way, double dt)
       : model_(model),
         surface_(surface),
+        outline_(model, surface),
         faces_(faces),
         i_(i),
         j_(j),
@@ -70,14 +67,8 @@ class Pair {
   // on the flat side of a mesh is no corner, though the block is.
   const Side& leaving(int block, int v) const { return surface_.leaving[size_t(global(block, v))]; }
   const Side& arriving(int block, int v) const { return surface_.arriving[size_t(global(block, v))]; }
-  Vec2 ahead(int block, int v) const {
-    const Side& side = leaving(block, v);
-    return vertex(side.block, next(side.block, side.edge)) - vertex(block, v);
-  }
-  Vec2 behind(int block, int v) const {
-    const Side& side = arriving(block, v);
-    return vertex(side.block, side.edge) - vertex(block, v);
-  }
+  Vec2 ahead(int block, int v) const { return outline_.ahead(global(block, v)); }
+  Vec2 behind(int block, int v) const { return outline_.behind(global(block, v)); }
   int global(int block, int v) const { return model_.shapes[block].vertex_begin + v; }
 
   // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both sides of the body lead away.
@@ -168,8 +159,9 @@ class Pair {
   bool both_convex() const { return surface_.convex[size_t(i_)] && surface_.convex[size_t(j_)]; }
 
   // Whether the outline turns inwards at corner `v` of `block`; outwards.
-  bool inner(int block, int v) const { return turn_of_outline(block, v) < -parallel_sine; }
-  bool outer(int block, int v) const { return turn_of_outline(block, v) > parallel_sine; }
+  bool inner(int block, int v) const { return outline_.turn(global(block, v)) < -parallel_sine; }
+  bool outer(int block, int v) const { return outline_.turn(global(block, v)) > parallel_sine; }
+  bool convex(int block, int v) const { return outline_.turn(global(block, v)) > 0; }
 
   // Whether a corner at the place `s` along edge `e` of `be` is on it. At an inner corner the edge goes on under the
   // wall, where a corner that presses on both is.
@@ -211,10 +203,6 @@ class Pair {
     const int own = joint.a == block ? joint.edge_a : joint.b == block ? joint.edge_b : -1;
     return own >= 0 && (own == v || next(block, own) == v) ? j : -1;
   }
-  double turn_of_outline(int block, int v) const {  // sine, outwards
-    const Vec2 d = ahead(block, v), b = behind(block, v);
-    return cross(d, b) / (d.norm() * b.norm());
-  }
   static bool lies_along(const Vec2& d, const Vec2& n) { return std::abs(d.dot(n)) <= parallel_sine * d.norm(); }
   static bool leads_away(const Vec2& d, const Vec2& n) { return d.dot(n) >= -parallel_sine * d.norm(); }
 
@@ -233,6 +221,7 @@ class Pair {
 
   const Model& model_;
   const Surface& surface_;
+  const Outline outline_;
   const Faces& faces_;
   int i_, j_;
   double dt_, judged_, least_, reach_;  // s, s, m, m; judged_: from the start to the places that contacts are judged at
@@ -248,8 +237,6 @@ struct Candidate {
 
 enum class End { first, last };
 
-bool convex(const Pair& pair, int block, int v) { return cross(pair.ahead(block, v), pair.behind(block, v)) > 0; }
-
 // Place along an edge of a vertex that is at `s` now and goes `way`: where it comes to the edge's line from outside, if it does.
 double place_met(const Face& edge, double gap, double s, const Vec2& way) {
   const double ahead = gap + edge.normal.dot(way);
@@ -263,7 +250,7 @@ void drop_deeper(const Pair& pair, int block, std::vector<Candidate>& candidates
     const bool deeper = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
       const bool follows = pair.next(block, c.edge) == other.edge, leads = pair.next(block, other.edge) == c.edge;
       if (!(follows || leads) || c.gap >= 0 || other.edge == c.edge) return false;
-      if (!convex(pair, block, follows ? other.edge : c.edge)) return false;
+      if (!pair.convex(block, follows ? other.edge : c.edge)) return false;
       return other.gap > c.gap || (other.gap == c.gap && other.edge < c.edge);
     });
     if (!deeper && c.on) kept.push_back(c);
@@ -438,96 +425,6 @@ void find_contacts(const Model& model, const Surface& surface, const Faces& face
       if (pair.exposed(b, w)) corner_on_corner(pair, v, w, first, found, meeting);
   drop_twins(pair, first, found);
   least_deep(pair, model, first, found);
-}
-
-namespace {
-
-// Contacts of all pairs in order of their corners, by the outlines of bodies.
-class Together {
- public:
-  Together(const Model& model, const Surface& surface, const std::vector<Contact>& found) : model_(model), surface_(surface), found_(found) {}
-
-  // Whether the corner is inside two sides of a body that share a convex corner, but belong to different blocks, and less deep in the other: it rests on the
-  // one it entered last. By so much that both blocks, whose corners lie a bond's strain apart, would say so.
-  bool deeper_than_beside(const Contact& c) const {
-    const double flush = flush_of(c);
-    if (c.gap >= -flush) return false;
-    const int last = last_of({c.j, c.edge});
-    const auto beside = [&](const Contact& other) {
-      if (other.gap <= c.gap + flush || other.j == c.j) return false;
-      return (first_of(surface_.arriving[size_t(c.global_edge)]) == other.global_edge && convex(c.global_edge)) ||
-             (first_of(surface_.leaving[size_t(last)]) == other.global_edge && convex(last));
-    };
-    return any_of_corner(c.global_vertex, beside);
-  }
-
-  // Whether the corner comes to the end of the edge in a surface on which others carry the body of the one, while that of the other lies under it, as
-  // the tip of a piece between joints that come out there: no wall stands above it.
-  bool under_a_face(const Contact& c) const {
-    const Vec2 &at = place(c.global_vertex), from = place(c.global_edge), along = place(last_of({c.j, c.edge})) - from;
-    const Vec2 rate = model_.velocity_at(c.i, at) - model_.velocity_at(c.j, at);
-    const double length = along.norm(), flush = flush_of(c), closing = cross(along, rate) / length;  // m/s
-    const double s = along.dot(at - from) / length + (c.gap > 0 && closing > 0 ? along.dot(rate) / length * c.gap / closing : 0);  // where it comes to the edge's line
-    if (s > flush && s < length - flush) return false;
-    const int end = s <= flush ? c.global_edge : last_of({c.j, c.edge});
-    const auto carried = [&](int above, int below) {
-      const auto lies_under = [&](const Contact& k, double up) {  // the surface is the edge of k, its normal up times outwards
-        if (std::abs(k.gap) > flush) return false;
-        const Vec2 begin = place(k.global_edge), normal = -up * perp(place(last_of({k.j, k.edge})) - begin).normalized();
-        if (std::abs(normal.dot(along)) < parallel_sine * length || std::abs(normal.dot(place(below) - begin)) > flush) return false;
-        const auto leads_down = [&](const Vec2& way) { return normal.dot(way) <= parallel_sine * way.norm(); };
-        return leads_down(ahead(below)) && leads_down(behind(below));
-      };
-      const auto third = [&](int block) { return block != c.i && block != c.j; };
-      return any_of_corner(above, [&](const Contact& k) { return third(k.j) && lies_under(k, 1); }) ||
-             any_on_edge(first_of(surface_.leaving[size_t(above)]), [&](const Contact& k) { return third(k.i) && lies_under(k, -1); }) ||
-             any_on_edge(first_of(surface_.arriving[size_t(above)]), [&](const Contact& k) { return third(k.i) && lies_under(k, -1); });
-    };
-    return carried(c.global_vertex, end) || carried(end, c.global_vertex);
-  }
-
- private:
-  double flush_of(const Contact& c) const { return flush_part * std::min(model_.shapes[size_t(c.i)].length, model_.shapes[size_t(c.j)].length); }
-  const Vec2& place(int corner) const { return model_.vertex[size_t(corner)]; }
-  int first_of(const Side& side) const { return model_.shapes[size_t(side.block)].vertex_begin + side.edge; }
-  int last_of(const Side& side) const { return model_.shapes[size_t(side.block)].vertex_begin + model_.next_vertex(side.block, side.edge); }
-  Vec2 ahead(int corner) const { return place(last_of(surface_.leaving[size_t(corner)])) - place(corner); }
-  Vec2 behind(int corner) const { return place(first_of(surface_.arriving[size_t(corner)])) - place(corner); }
-  bool convex(int corner) const { return cross(ahead(corner), behind(corner)) > 0; }
-  template <typename Is>
-  bool any_of_corner(int corner, Is is) const {
-    auto c = std::lower_bound(found_.begin(), found_.end(), corner, [](const Contact& of, int vertex) { return of.global_vertex < vertex; });
-    for (; c != found_.end() && c->global_vertex == corner; ++c)
-      if (is(*c)) return true;
-    return false;
-  }
-
-  template <typename Is>
-  bool any_on_edge(int edge, Is is) const {
-    if (by_edge_.size() != found_.size()) {
-      for (const Contact& c : found_) by_edge_.push_back({c.global_edge, &c});
-      std::sort(by_edge_.begin(), by_edge_.end());
-    }
-    auto c = std::lower_bound(by_edge_.begin(), by_edge_.end(), std::pair<int, const Contact*>(edge, nullptr));
-    for (; c != by_edge_.end() && c->first == edge; ++c)
-      if (is(*c->second)) return true;
-    return false;
-  }
-
-  const Model& model_;
-  const Surface& surface_;
-  const std::vector<Contact>& found_;
-  mutable std::vector<std::pair<int, const Contact*>> by_edge_;  // where it has been asked for
-};
-
-}  // namespace
-
-void drop_hidden(const Model& model, const Surface& surface, std::vector<Contact>& found) {
-  const Together together(model, surface, found);
-  std::vector<char> hidden;
-  for (const Contact& c : found) hidden.push_back(together.deeper_than_beside(c) || together.under_a_face(c));
-  size_t at = 0;
-  std::erase_if(found, [&](const Contact&) { return hidden[at++] != 0; });
 }
 
 double meeting_distance(const Model& model, int a, int b) {

@@ -19,9 +19,6 @@ struct MeetingCorners {
 void find_contacts(const Model& model, const Surface& surface, const Faces& faces, int a, int b, double dt, std::vector<Contact>& found,
                    std::vector<MeetingCorners>& meeting);
 
-// Drops those of all pairs, in order of their corners, that a side of the body beside them hides, or a face above them.
-void drop_hidden(const Model& model, const Surface& surface, std::vector<Contact>& found);
-
 // Corners nearer than this are in one place, m.
 double meeting_distance(const Model& model, int a, int b);
 

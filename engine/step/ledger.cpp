@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/detection.h"
+#include "contact/hand_over.h"
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
 #include "equations/viscous_terms.h"

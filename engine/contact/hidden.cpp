@@ -1,0 +1,95 @@
+#include "contact/hidden.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "contact/outline.h"
+
+namespace talus {
+
+namespace {
+
+// Contacts of all pairs in order of their corners, by the outlines of bodies.
+class Hiding {
+ public:
+  Hiding(const Model& model, const Surface& surface, const std::vector<Contact>& found) : model_(model), outline_(model, surface), found_(found) {}
+
+  // Whether the corner is inside two sides of a body that share a convex corner, but belong to different blocks, and less deep in the other: it rests on the
+  // one it entered last. By so much that both blocks, whose corners lie a bond's strain apart, would say so.
+  bool deeper_than_beside(const Contact& c) const {
+    const double flush = flush_of(c);
+    if (c.gap >= -flush) return false;
+    const int last = outline_.last({c.j, c.edge});
+    const auto beside = [&](const Contact& other) {
+      if (other.gap <= c.gap + flush || other.j == c.j) return false;
+      return (outline_.first(outline_.arriving(c.global_edge)) == other.global_edge && outline_.turn(c.global_edge) > 0) ||
+             (outline_.first(outline_.leaving(last)) == other.global_edge && outline_.turn(last) > 0);
+    };
+    return any_of_corner(c.global_vertex, beside);
+  }
+
+  // Whether the corner comes to the end of the edge in a surface on which others carry the body of the one, while that of the other lies under it, as
+  // the tip of a piece between joints that come out there: no wall stands above it.
+  bool under_a_face(const Contact& c) const {
+    const Vec2 &at = outline_.place(c.global_vertex), &from = outline_.place(c.global_edge), along = outline_.place(outline_.last({c.j, c.edge})) - from;
+    const Vec2 rate = model_.velocity_at(c.i, at) - model_.velocity_at(c.j, at);
+    const double length = along.norm(), flush = flush_of(c), closing = cross(along, rate) / length;  // m/s
+    const double s = along.dot(at - from) / length + (c.gap > 0 && closing > 0 ? along.dot(rate) / length * c.gap / closing : 0);  // where it comes to the edge's line
+    if (s > flush && s < length - flush) return false;
+    const int end = s <= flush ? c.global_edge : outline_.last({c.j, c.edge});
+    const auto carried = [&](int above, int below) {
+      const auto lies_under = [&](const Contact& k, double up) {  // the surface is the edge of k, its normal up times outwards
+        if (std::abs(k.gap) > flush) return false;
+        const Vec2 begin = outline_.place(k.global_edge), normal = -up * perp(outline_.place(outline_.last({k.j, k.edge})) - begin).normalized();
+        if (std::abs(normal.dot(along)) < parallel_sine * length || std::abs(normal.dot(outline_.place(below) - begin)) > flush) return false;
+        const auto leads_down = [&](const Vec2& way) { return normal.dot(way) <= parallel_sine * way.norm(); };
+        return leads_down(outline_.ahead(below)) && leads_down(outline_.behind(below));
+      };
+      const auto third = [&](int block) { return block != c.i && block != c.j; };
+      return any_of_corner(above, [&](const Contact& k) { return third(k.j) && lies_under(k, 1); }) ||
+             any_on_edge(outline_.first(outline_.leaving(above)), [&](const Contact& k) { return third(k.i) && lies_under(k, -1); }) ||
+             any_on_edge(outline_.first(outline_.arriving(above)), [&](const Contact& k) { return third(k.i) && lies_under(k, -1); });
+    };
+    return carried(c.global_vertex, end) || carried(end, c.global_vertex);
+  }
+
+ private:
+  double flush_of(const Contact& c) const { return flush_part * std::min(model_.shapes[size_t(c.i)].length, model_.shapes[size_t(c.j)].length); }
+  template <typename Is>
+  bool any_of_corner(int corner, Is is) const {
+    auto c = std::lower_bound(found_.begin(), found_.end(), corner, [](const Contact& of, int vertex) { return of.global_vertex < vertex; });
+    for (; c != found_.end() && c->global_vertex == corner; ++c)
+      if (is(*c)) return true;
+    return false;
+  }
+
+  template <typename Is>
+  bool any_on_edge(int edge, Is is) const {
+    if (by_edge_.size() != found_.size()) {
+      for (const Contact& c : found_) by_edge_.push_back({c.global_edge, &c});
+      std::sort(by_edge_.begin(), by_edge_.end());
+    }
+    auto c = std::lower_bound(by_edge_.begin(), by_edge_.end(), std::pair<int, const Contact*>(edge, nullptr));
+    for (; c != by_edge_.end() && c->first == edge; ++c)
+      if (is(*c->second)) return true;
+    return false;
+  }
+
+  const Model& model_;
+  const Outline outline_;
+  const std::vector<Contact>& found_;
+  mutable std::vector<std::pair<int, const Contact*>> by_edge_;  // where it has been asked for
+};
+
+}  // namespace
+
+void drop_hidden(const Model& model, const Surface& surface, std::vector<Contact>& found) {
+  const Hiding hiding(model, surface, found);
+  std::vector<char> hidden;
+  for (const Contact& c : found) hidden.push_back(hiding.deeper_than_beside(c) || hiding.under_a_face(c));
+  size_t at = 0;
+  std::erase_if(found, [&](const Contact&) { return hidden[at++] != 0; });
+}
+
+}  // namespace talus

@@ -1,0 +1,38 @@
+#pragma once
+// The outlines of bodies at their corners, by global vertex: of blocks, and of blocks bonded to each other.
+#include "contact/detection.h"
+#include "geometry/vec2.h"
+#include "model/model.h"
+
+namespace talus {
+
+// Edges within 3° count as lying along each other (Shi 1988 uses the same bound).
+constexpr double parallel_sine = 0.052;
+// A corner that stays this near to the plane of a face, in units of the smaller block's √area, with an edge along the
+// face, slides on it and does not catch on the face round its end: coplanar blocks pass their load on without a snag.
+constexpr double flush_part = 1e-4;
+
+class Outline {
+ public:
+  Outline(const Model& model, const Surface& surface) : model_(model), surface_(surface) {}
+
+  const Vec2& place(int corner) const { return model_.vertex[size_t(corner)]; }
+  int first(const Side& side) const { return model_.shapes[size_t(side.block)].vertex_begin + side.edge; }  // corner; the number of the edge
+  int last(const Side& side) const { return model_.shapes[size_t(side.block)].vertex_begin + model_.next_vertex(side.block, side.edge); }
+  const Side& leaving(int corner) const { return surface_.leaving[size_t(corner)]; }
+  const Side& arriving(int corner) const { return surface_.arriving[size_t(corner)]; }
+  // m, its directions away from the corner, forwards and backwards.
+  Vec2 ahead(int corner) const { return place(last(leaving(corner))) - place(corner); }
+  Vec2 behind(int corner) const { return place(first(arriving(corner))) - place(corner); }
+  // Sine of the angle by which it turns outwards there.
+  double turn(int corner) const {
+    const Vec2 d = ahead(corner), b = behind(corner);
+    return cross(d, b) / (d.norm() * b.norm());
+  }
+
+ private:
+  const Model& model_;
+  const Surface& surface_;
+};
+
+}  // namespace talus
