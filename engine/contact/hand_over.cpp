@@ -163,12 +163,17 @@ void carry_over(const Model& model, double dt, bool cracked, std::vector<Contact
   for (size_t k = 0; k < fresh.size(); ++k) {
     Contact* const c = fresh[k];
     if (const Contact* const old = predecessor[k]) {
+      // As stiff as the stiffer of the two, and with the same force: a softer spring would store more for it.
+      const double stiffer = std::max(1.0, old->normal_stiffness / c->normal_stiffness);
+      c->normal_stiffness *= stiffer;
+      c->shear_stiffness *= stiffer;
       carry(*old, *c);
       // Deeper by the other block's face, which lies a little otherwise: not a load.
       const double deeper = gap_now(model, *old) - c->gap;
       if (old->i == c->j) c->offset += std::max(0.0, deeper);
       if (old->j != c->j) step_over(model, *old, *c);
       c->deeper = deeper + old->offset - c->offset;
+      c->offset += old->normal_force / old->normal_stiffness - old->normal_force / c->normal_stiffness;
       c->load_shear = std::numeric_limits<double>::quiet_NaN();
     } else {
       c->offset = born_with(model, *c, dt, cracked);
