@@ -156,7 +156,7 @@ void ContactSearch::find_surface(const Model& model) {
 
 // Where a block ends in a bond, the outline goes on along the block beyond it, and so on round the corner to a free edge.
 void ContactSearch::find_outlines(const Model& model) {
-  std::unordered_map<int, Side> beyond;  // by global edge
+  std::unordered_map<int, OutlineEdge> beyond;  // by global edge
   for (const Joint& joint : model.joints) {
     if (joint.state != JointState::intact) continue;
     beyond[model.shapes[joint.a].vertex_begin + joint.edge_a] = {joint.b, joint.edge_b};
@@ -167,8 +167,8 @@ void ContactSearch::find_outlines(const Model& model) {
   const auto previous = [&](int b, int v) { return v == 0 ? model.vertex_count(b) - 1 : v - 1; };
   for (int b = 0; b < int(model.shapes.size()); ++b)
     for (int v = 0; v < model.vertex_count(b); ++v) {
-      Side leaving{b, v}, arriving{b, previous(b, v)};
-      const auto global = [&](const Side& side) { return model.shapes[side.block].vertex_begin + side.edge; };
+      OutlineEdge leaving{b, v}, arriving{b, previous(b, v)};
+      const auto global = [&](const OutlineEdge& side) { return model.shapes[side.block].vertex_begin + side.edge; };
       // A corner inside a body is met again: it keeps its own edges, which touch nothing.
       for (auto next = beyond.find(global(leaving)); next != beyond.end(); next = beyond.find(global(leaving))) {
         leaving = {next->second.block, model.next_vertex(next->second.block, next->second.edge)};

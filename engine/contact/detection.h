@@ -38,7 +38,7 @@ class NearBlocks {
   std::vector<std::pair<int, int>> pairs_;  // places in blocks_, of which those boxes meet
 };
 
-struct Side {  // of a block: the edge that begins at its corner of this number
+struct OutlineEdge {  // of a block: the edge that begins at its corner of this number
   int block, edge;
 };
 
@@ -50,7 +50,7 @@ struct Surface {
   std::vector<char> free_edge;     // no intact joint covers the edge that begins here; others cannot touch
   std::vector<char> convex;        // by block
   std::vector<char> whole;         // by block: all its edges are free
-  std::vector<Side> leaving, arriving;  // sides of the outline that meet in the corner, of blocks of the same body round it: what the
+  std::vector<OutlineEdge> leaving, arriving;  // sides of the outline that meet in the corner, of blocks of the same body round it: what the
                                         // body is at a corner, of which one block is only a part
   std::unordered_set<std::int64_t> bonded;  // pairs glued along an edge, or round a corner they share
   bool together(int a, int b) const { return bonded.contains(pair_key(a, b)); }

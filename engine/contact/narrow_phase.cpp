@@ -58,15 +58,15 @@ class Pair {
   const Face& edge(int block, int local) const { return faces_[global(block, local)]; }
 
   bool free(int block, int edge) const { return surface_.free_edge[model_.shapes[block].vertex_begin + edge]; }
-  bool free(const Side& side) const { return free(side.block, side.edge); }
+  bool free(const OutlineEdge& side) const { return free(side.block, side.edge); }
   bool exposed(int block, int v) const { return free(block, v) || free(block, previous(block, v)); }
   // Or the block has no more than a corner where the outline of its body comes by.
   bool on_outline(int block, int v) const { return exposed(block, v) || free(arriving(block, v)); }
 
   // The sides of the outline that leave and reach the corner `v` of `block`, and their directions away from it, of the whole body there: a node
   // on the flat side of a mesh is no corner, though the block is.
-  const Side& leaving(int block, int v) const { return surface_.leaving[size_t(global(block, v))]; }
-  const Side& arriving(int block, int v) const { return surface_.arriving[size_t(global(block, v))]; }
+  const OutlineEdge& leaving(int block, int v) const { return surface_.leaving[size_t(global(block, v))]; }
+  const OutlineEdge& arriving(int block, int v) const { return surface_.arriving[size_t(global(block, v))]; }
   Vec2 ahead(int block, int v) const { return outline_.ahead(global(block, v)); }
   Vec2 behind(int block, int v) const { return outline_.behind(global(block, v)); }
   int global(int block, int v) const { return model_.shapes[block].vertex_begin + v; }
@@ -131,7 +131,7 @@ class Pair {
   // Whether corner `v` of `bv`, at the place `s` along edge `e` of `be`, passes its end flush with the face beyond it: at
   // an outer corner. At an inner one that face is a wall, and the corner slides down it onto the edge; at none it lies on both.
   bool passes_flush(int bv, int v, int be, int e, double s, double length) const {
-    const auto on = [&](const Side& beyond) {  // at the end of a crack that is the block's own side, or one that it is bonded to
+    const auto on = [&](const OutlineEdge& beyond) {  // at the end of a crack that is the block's own side, or one that it is bonded to
       return free(beyond) && beyond.block != bv && !together(bv, beyond.block) && slides_on(bv, v, beyond.block, beyond.edge);
     };
     return (s <= flush() && on(arriving(be, e)) && outer(be, e)) ||

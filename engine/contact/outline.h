@@ -17,10 +17,10 @@ class Outline {
   Outline(const Model& model, const Surface& surface) : model_(model), surface_(surface) {}
 
   const Vec2& place(int corner) const { return model_.vertex[size_t(corner)]; }
-  int first(const Side& side) const { return model_.shapes[size_t(side.block)].vertex_begin + side.edge; }  // corner; the number of the edge
-  int last(const Side& side) const { return model_.shapes[size_t(side.block)].vertex_begin + model_.next_vertex(side.block, side.edge); }
-  const Side& leaving(int corner) const { return surface_.leaving[size_t(corner)]; }
-  const Side& arriving(int corner) const { return surface_.arriving[size_t(corner)]; }
+  int first(const OutlineEdge& side) const { return model_.shapes[size_t(side.block)].vertex_begin + side.edge; }  // corner; the number of the edge
+  int last(const OutlineEdge& side) const { return model_.shapes[size_t(side.block)].vertex_begin + model_.next_vertex(side.block, side.edge); }
+  const OutlineEdge& leaving(int corner) const { return surface_.leaving[size_t(corner)]; }
+  const OutlineEdge& arriving(int corner) const { return surface_.arriving[size_t(corner)]; }
   // m, its directions away from the corner, forwards and backwards.
   Vec2 ahead(int corner) const { return place(last(leaving(corner))) - place(corner); }
   Vec2 behind(int corner) const { return place(first(arriving(corner))) - place(corner); }

@@ -157,7 +157,7 @@ class Hindsight {
     double least = model_.shapes[block].length;
     for (int k = 0; k < int(corners.size()); ++k) {
       const size_t corner = size_t(model_.shapes[block].vertex_begin + k);
-      for (const Side& side : {surface.leaving[corner], surface.arriving[corner]}) {
+      for (const OutlineEdge& side : {surface.leaving[corner], surface.arriving[corner]}) {
         if (!surface.free_edge[size_t(model_.shapes[side.block].vertex_begin + side.edge)]) continue;
         const Polyline& of = outline(side.block, place).corners;
         least = std::min(least, distance_to_segment(of[side.edge], of[model_.next_vertex(side.block, side.edge)], point));
