@@ -15,12 +15,12 @@
 
 namespace talus {
 
-namespace {
-
 Vec2 edge_normal(const Model& model, const Contact& c) {
   const int begin = model.shapes[c.j].vertex_begin;
   return -perp(model.vertex[begin + model.next_vertex(c.j, c.edge)] - model.vertex[begin + c.edge]).normalized();
 }
+
+namespace {
 
 void carry(const Contact& from, Contact& to) {
   to.state = from.state;

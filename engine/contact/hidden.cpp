@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/hand_over.h"
 #include "contact/outline.h"
 
 namespace talus {
@@ -41,8 +42,8 @@ class Hiding {
     const auto carried = [&](int above, int below) {
       const auto lies_under = [&](const Contact& k, double up) {  // the surface is the edge of k, its normal up times outwards
         if (std::abs(k.gap) > flush) return false;
-        const Vec2 begin = outline_.place(k.global_edge), normal = -up * perp(outline_.place(outline_.last({k.j, k.edge})) - begin).normalized();
-        if (std::abs(normal.dot(along)) < parallel_sine * length || std::abs(normal.dot(outline_.place(below) - begin)) > flush) return false;
+        const Vec2 normal = up * edge_normal(model_, k);
+        if (std::abs(normal.dot(along)) < parallel_sine * length || std::abs(normal.dot(outline_.place(below) - outline_.place(k.global_edge))) > flush) return false;
         const auto leads_down = [&](const Vec2& way) { return normal.dot(way) <= parallel_sine * way.norm(); };
         return leads_down(outline_.ahead(below)) && leads_down(outline_.behind(below));
       };

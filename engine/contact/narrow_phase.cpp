@@ -65,8 +65,8 @@ class Pair {
 
   // The sides of the outline that leave and reach the corner `v` of `block`, and their directions away from it, of the whole body there: a node
   // on the flat side of a mesh is no corner, though the block is.
-  const OutlineEdge& leaving(int block, int v) const { return surface_.leaving[size_t(global(block, v))]; }
-  const OutlineEdge& arriving(int block, int v) const { return surface_.arriving[size_t(global(block, v))]; }
+  const OutlineEdge& leaving(int block, int v) const { return outline_.leaving(global(block, v)); }
+  const OutlineEdge& arriving(int block, int v) const { return outline_.arriving(global(block, v)); }
   Vec2 ahead(int block, int v) const { return outline_.ahead(global(block, v)); }
   Vec2 behind(int block, int v) const { return outline_.behind(global(block, v)); }
   int global(int block, int v) const { return model_.shapes[block].vertex_begin + v; }
@@ -324,7 +324,7 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
   const double distance = (pair.vertex(i, v) - pair.vertex(j, w)).norm();
   if (distance > pair.reach()) return;
   if (pair.inner(i, v) || pair.inner(j, w)) return;  // two faces, each met by itself
-  const int w0 = pair.previous(j, w), v0 = pair.previous(i, v);  // own edges before the corners; those after bear its number
+  const int w0 = pair.previous(j, w), v0 = pair.previous(i, v);  // edges before the corners; those after bear its number
   if (distance <= pair.meeting()) meeting.push_back({i, pair.global(i, v), j, pair.global(j, w)});
   const auto is_here = [&](const Contact& c) {
     return (c.i == i && c.vertex == v && c.j == j && (c.edge == w || c.edge == w0)) ||

@@ -96,8 +96,7 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     // Cohesion belongs to faces that were pressed together when the step began: a law in which it came and went with the
     // force that depends on it has no solution at a wedge.
     const double cohesion = strength.cohesion * contact.length;
-    const bool coheres = scheme.dt == 0 && !stick ? contact.coheres : contact.normal_force > pressed * cohesion;
-    row.cohesion = coheres ? cohesion : 0;
+    row.cohesion = contact.coheres || contact.normal_force > pressed * cohesion ? cohesion : 0;
     const double touching = near_part * std::min(shape_i.length, shape_j.length);
     const double pushed = touching + 0.5 * scheme.contact_v * std::hypot(approach, sliding);
     // A joint that does not slide does not let go of its shear when it opens either: that would be a law with jumps, which among

@@ -225,9 +225,9 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
 // and fro; other searches do, and may lead far from where faces were pressed.
 void Equilibrium::assemble(bool stick, bool whole_way) {
   const Scheme scheme = Scheme::equilibrium();
-  for (Contact& contact : model_.contacts)
-    contact.coheres = (whole_way && contact.coheres) || contact.normal_force > ContactTerms::least_pressed * model_.contact_strength(contact).cohesion * contact.length;
   parts_.assemble(scheme, {.stick = stick});
+  if (whole_way)
+    for (const ContactRows& row : parts_.contacts.rows()) model_.contacts[size_t(row.contact)].coheres = row.cohesion > 0;
   add_hold(model_, hold_, hold_lead_, parts_.system);
   if (!parts_.fracture) return;
   bridges_.find_slots(model_, parts_.system.matrix);

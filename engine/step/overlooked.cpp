@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "contact/outline.h"
 #include "contact/way_out.h"
 #include "geometry/polygon.h"
 
@@ -154,11 +155,12 @@ class Hindsight {
     const auto& [corners, box] = outline(block, place);
     if ((point.array() < box.min.array()).any() || (point.array() > box.max.array()).any() || !contains(corners, point)) return 0;
     const Surface& surface = search_.surface();
+    const talus::Outline sides(model_, surface);
     double least = model_.shapes[block].length;
     for (int k = 0; k < int(corners.size()); ++k) {
-      const size_t corner = size_t(model_.shapes[block].vertex_begin + k);
-      for (const OutlineEdge& side : {surface.leaving[corner], surface.arriving[corner]}) {
-        if (!surface.free_edge[size_t(model_.shapes[side.block].vertex_begin + side.edge)]) continue;
+      const int corner = model_.shapes[block].vertex_begin + k;
+      for (const OutlineEdge& side : {sides.leaving(corner), sides.arriving(corner)}) {
+        if (!surface.free_edge[size_t(sides.first(side))]) continue;
         const Polyline& of = outline(side.block, place).corners;
         least = std::min(least, distance_to_segment(of[side.edge], of[model_.next_vertex(side.block, side.edge)], point));
       }

@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "contact/hand_over.h"
 #include "step/bodies.h"
 #include "step/energies.h"
 
@@ -27,10 +28,8 @@ struct Opened {
 // How blocks part as rigid ones: a block that strains stays on what it has hit until it has rung back, and flies off by that. Where they are now, so
 // that impulses keep angular momentum.
 Row parting_row(const Model& model, const Contact& contact, int block) {
-  const Vec2 at = model.vertex[size_t(contact.global_vertex)], from = model.vertex[size_t(contact.global_edge)];
-  const Vec2 to = model.vertex[size_t(model.shapes[size_t(contact.j)].vertex_begin + model.next_vertex(contact.j, contact.edge))];
-  const Vec2 along = (to - from).normalized(), way = block == contact.i ? Vec2(-perp(along)) : perp(along);
-  return {way.x(), way.y(), cross(at - model.blocks[size_t(block)].centroid, way) / model.shapes[size_t(block)].length};
+  const Vec2 way = (block == contact.i ? 1 : -1) * edge_normal(model, contact);
+  return {way.x(), way.y(), cross(model.vertex[size_t(contact.global_vertex)] - model.blocks[size_t(block)].centroid, way) / model.shapes[size_t(block)].length};
 }
 
 // An impulse on one of the blocks that bonds hold together would only strain its bonds: it moves all of them. Of a model whose blocks keep

@@ -13,7 +13,6 @@
 #include "step/overlooked.h"
 #include "step/part_timer.h"
 #include "step/restitution.h"
-#include "step/restored.h"
 #include "step/step_change.h"
 #include "step/turning.h"
 #include "step/update.h"

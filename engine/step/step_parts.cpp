@@ -84,7 +84,6 @@ void StepParts::visit_state(StateVisitor& visitor) {
 void StepParts::restored() {
   revision_ = -1;
   if (!model.scene.numerics.sleeping || !plan.dynamic) model.changed();  // the state may be of a run that let things sleep
-  rewound();
 }
 
 void StepParts::rewound() {

@@ -57,8 +57,8 @@ class StepParts {
   double transit() const { return transit_; }
 
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
-  void restored();                          // the model has been put back: what was derived from it is stale
-  void rewound();                           // to the start of a step, by the same run: nobody has changed materials since
+  void restored();                          // the model has been put back, rewound() follows: what hangs on materials is stale
+  void rewound();                           // to the start of a step: what was derived from the model's state is stale
 
   // Of a program of one's own, from before the first step on (docs/extending.md).
   std::vector<std::shared_ptr<const Term>> terms;
