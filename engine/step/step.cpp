@@ -267,7 +267,7 @@ bool Stepper::overlooks(double dt, double displacement, const Vector& d) {
 // Whether blocks turn in the step by so much that the work of their contacts is not what it was solved with.
 bool Stepper::turns_gain(const Scheme& scheme, const Course& course) {
   StepTimer timer(totals_, "update");
-  const double work = work_of_turning(model_, parts_.contacts, scheme, course.d, moved_);
+  const double work = work_of_turning(model_, parts_.contacts, scheme, course.d, moved_, step_size_.straight());
   return work > most_turning * ledger_.scale() && work > most_turning * parts_.energies().stored();
 }
 

@@ -21,6 +21,9 @@ class StepSize {
   // m, the displacement that bounds an automatic step as turning by `turn` (rad) does.
   double as_far_as(double turn) const { return turn / most_turn * limit_; }
   bool heeds_turns() const { return heeds_turns_; }
+  // rad: where all turn by less in a step, the lever of a contact comes and goes with half the square of it. What topples from near its
+  // balance has no more energy than that at first; a step that was given, or is among cracks, is not halved for so little.
+  double straight() const { return heeds_turns_ ? 1e-4 : 0.01; }
   bool too_far(double displacement) const { return displacement > (automatic_ ? 2 * limit_ : thinnest_); }
   void cut(double dt, double displacement);  // after an attempt of `dt` that was thrown away
   // An attempt whose contacts were not those that it came to meet is taken again in half of it.

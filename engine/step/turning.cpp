@@ -22,8 +22,7 @@ double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>
 }
 
 double work_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
-                       const std::vector<BlockState>& moved) {
-  constexpr double straight = 0.01;  // rad: where all turn by less, a contact's lever comes and goes with 5e-5 of itself
+                       const std::vector<BlockState>& moved, double straight) {
   const auto gap = [](const Vec2& at, const Vec2& from, const Vec2& to) { return cross(at - from, (to - from).normalized()); };
   const auto after = [&](int block, int vertex) {
     const BlockState& state = moved[size_t(block)];

@@ -12,8 +12,8 @@ double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>
 
 // J/m, by which the work of the normal forces that solve the step along the gaps as they come to be differs from that along the
 // straight lines it was solved with: energy that appears or is lost as blocks turn, Σ N |Δg - n·Δu|, of second order in the angle.
-// `d` solves the step and leads to `moved`.
+// `d` solves the step and leads to `moved`. Where neither block turns by more than `straight` (rad), nothing.
 double work_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
-                       const std::vector<BlockState>& moved);
+                       const std::vector<BlockState>& moved, double straight);
 
 }  // namespace talus
