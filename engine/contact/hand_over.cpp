@@ -10,6 +10,7 @@
 
 #include "contact/detection.h"
 #include "contact/narrow_phase.h"
+#include "contact/outline.h"
 #include "equations/contact_terms.h"
 #include "model/rates.h"
 
@@ -111,21 +112,19 @@ void take_over(const Model& model, Contact& c) {
   c.state = t.shear == bond.shear ? ContactState::stick : ContactState::slip;
 }
 
-constexpr double climbed = 1e-5;  // of the smaller block's √area: elastic steps between loaded and unloaded faces are of 1e-6; of this, k/2 h² is 0.3 % of 1 m at 50 GPa and 2 m/s
-
 // A corner that slides from the face of one block on to that of the next, which stands out a little farther, is not pressed by that step, which
 // it could not have climbed: its height is the contact's overlap, until a step leads down again. Where the faces meet in an edge there is none,
-// and the way along them bends.
-void step_over(const Model& model, const Contact& old, Contact& c) {
-  if (old.global_vertex != c.global_vertex) return;
+// and the way along them bends. Returns how much farther, m.
+double step_over(const Model& model, const Contact& old, Contact& c) {
   const auto corner = [&](const Contact& of, int k) { return model.vertex[size_t(model.shapes[size_t(of.j)].vertex_begin + k)]; };
   const Vec2 from = corner(old, old.edge), to = corner(old, model.next_vertex(old.j, old.edge));
   const std::array ends{corner(c, c.edge), corner(c, model.next_vertex(c.j, c.edge))};
   const bool first = distance_to_segment(from, to, ends[0]) < distance_to_segment(from, to, ends[1]);
   const double up = edge_normal(model, old).dot(ends[first ? 0 : 1] - from);
   const double size = std::min(model.shapes[size_t(c.i)].length, model.shapes[size_t(c.j)].length);
-  if (up > climbed * size && up <= passing_tolerance * size) c.offset += up;
+  if (up > climbed_part * size && up <= passing_tolerance * size) c.offset += up;
   if (up < 0) c.offset = std::max(std::min(0.0, c.offset), c.offset + up);
+  return up;
 }
 
 }  // namespace
@@ -171,7 +170,10 @@ void carry_over(const Model& model, double dt, bool cracked, std::vector<Contact
       // Deeper by the other block's face, which lies a little otherwise: not a load.
       const double deeper = gap_now(model, *old) - c->gap;
       if (old->i == c->j) c->offset += std::max(0.0, deeper);
-      if (old->j != c->j) step_over(model, *old, *c);
+      if (old->global_vertex == c->global_vertex) {
+        const double up = old->j != c->j ? std::max(0.0, step_over(model, *old, *c)) : 0;
+        if (dt > 0) c->offset += std::max(0.0, deeper - up);  // by which the face bends up: in motion its height is no load either
+      }
       c->deeper = deeper + old->offset - c->offset;
       c->offset += old->normal_force / old->normal_stiffness - old->normal_force / c->normal_stiffness;
       c->load_shear = std::numeric_limits<double>::quiet_NaN();

@@ -44,6 +44,7 @@ class Pair {
         dt_(dt),
         judged_(dt + judged_ahead(model.scene.numerics, dt)),
         least_(std::min(model.shapes[i].length, model.shapes[j].length)),
+        way_(way),
         reach_(search_margin * least_ + way),
         fast_(way > beside()),
         turn_(judged_ * (spin(model, i) - spin(model, j))) {}
@@ -71,9 +72,11 @@ class Pair {
   Vec2 behind(int block, int v) const { return outline_.behind(global(block, v)); }
   int global(int block, int v) const { return model_.shapes[block].vertex_begin + v; }
 
-  // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both sides of the body lead away.
+  // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both sides of the body lead away, and the body is on that side of them:
+  // sides in line lead away on either.
   bool can_rest(int block, int v, const Vec2& n) const {
-    return leads_away(ahead(block, v), n) && leads_away(behind(block, v), n);
+    const Vec2 a = ahead(block, v).normalized(), b = behind(block, v).normalized(), out = perp(b - a);
+    return a.dot(n) >= -parallel_sine && b.dot(n) >= -parallel_sine && out.dot(n) <= parallel_sine * out.norm();
   }
   // Or will, as the blocks turn: it is above the face now.
   bool will_rest(int block, int v, const Vec2& n) const {
@@ -158,8 +161,11 @@ class Pair {
   bool together(int a, int b) const { return surface_.together(a, b); }
   bool both_convex() const { return surface_.convex[size_t(i_)] && surface_.convex[size_t(j_)]; }
 
-  // Whether the outline turns inwards at corner `v` of `block`; outwards.
-  bool inner(int block, int v) const { return outline_.turn(global(block, v)) < -parallel_sine; }
+  // Whether the outline turns inwards at corner `v` of `block`; outwards. Inwards also by little, where what goes by would come to lie under the face beyond.
+  bool inner(int block, int v) const {
+    const double turn = outline_.turn(global(block, v));
+    return turn < -parallel_sine || -turn * way_ > climbed_part * least_;
+  }
   bool outer(int block, int v) const { return outline_.turn(global(block, v)) > parallel_sine; }
   bool convex(int block, int v) const { return outline_.turn(global(block, v)) > 0; }
 
@@ -167,12 +173,14 @@ class Pair {
   // wall, where a corner that presses on both is.
   bool within(int be, int e, double s, double length) const { return within(be, e, s, length, corner_part * length); }
   bool within(int be, int e, double s, double length, double slack) const {
-    if (s < -slack) return s > deepest() && inner(be, e);
-    if (s > length + slack) return s < length - deepest() && inner(be, next(be, e));
+    if (s < -slack) return -s < under_wall(be, e) && inner(be, e);
+    if (s > length + slack) return s - length < under_wall(be, next(be, e)) && inner(be, next(be, e));
     return true;
   }
+  // m, by which an edge goes on under the wall at an inner corner.
+  double under_wall(int block, int v) const { return outline_.turn(global(block, v)) < -parallel_sine ? -deepest() : way_; }
 
-  // Whether the block `be` has another side between its face at `e` and a corner at `p` below it: what the corner is away from
+  // Whether the block `be` has another side between its face at `e` and a corner at `p` below it, or there: what the corner is away from
   // the face is no depth then.
   bool behind(int be, int e, const Face& face, const Vec2& p) const {
     const Vec2 foot = p - face.gap(p) * face.normal;
@@ -180,7 +188,7 @@ class Pair {
       if (f == e || !free(be, f)) continue;
       const Face& far = edge(be, f);
       const double from = far.gap(foot), to = far.gap(p);
-      if (from > meeting() || to <= meeting() || to <= from) continue;
+      if (from > meeting() || to <= -meeting() || to <= from) continue;
       const double s = far.position(foot + std::max(0.0, from / (from - to)) * (p - foot));
       if (s >= -beside() && s <= far.length + beside()) return true;
     }
@@ -204,7 +212,6 @@ class Pair {
     return own >= 0 && (own == v || next(block, own) == v) ? j : -1;
   }
   static bool lies_along(const Vec2& d, const Vec2& n) { return std::abs(d.dot(n)) <= parallel_sine * d.norm(); }
-  static bool leads_away(const Vec2& d, const Vec2& n) { return d.dot(n) >= -parallel_sine * d.norm(); }
 
   // Length over which an edge at corner `v` lies along `e`, or 0.
   double shared_length(int block, int v, const Face& e) const {
@@ -224,7 +231,7 @@ class Pair {
   const Outline outline_;
   const Faces& faces_;
   int i_, j_;
-  double dt_, judged_, least_, reach_;  // s, s, m, m; judged_: from the start to the places that contacts are judged at
+  double dt_, judged_, least_, way_, reach_;  // s, s, m, m, m; judged_: from the start to the places that contacts are judged at
   bool fast_;                           // may pass an edge by in the step
   double turn_;                         // rad, of i as seen from j until contacts are judged
 };
@@ -348,9 +355,8 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
     const auto comes_on = [&] { return past < edge.along.dot(way) * (end == End::first ? 1 : -1) && pair.slides_on(bv, vertex, be, e); };
     if (ahead < 0 && past > pair.beside() && !comes_on()) return;
     if (ahead < 0 && past < -edge.length && !pair.within(be, e, met, edge.length)) return;
-    const double apart = std::max(0.0, gap - pair.meeting()), under = std::max(0.0, -gap - pair.meeting());
-    const double from = under > 0 ? under / (under + std::max(0.0, ahead)) : 0, until = ahead < 0 ? apart / (apart - ahead) : 2;
-    choices.push_back({bv, vertex, be, e, gap, ahead, from, until, std::max({0.0, -s, s - edge.length})});
+    const double apart = std::max(0.0, gap - pair.meeting()), until = ahead < 0 ? apart / (apart - ahead) : 2;
+    choices.push_back({bv, vertex, be, e, gap, ahead, 0, until, std::max({0.0, -s, s - edge.length})});
   };
   consider(i, v, j, w, End::first);
   consider(i, v, j, w0, End::last);
@@ -366,6 +372,12 @@ void corner_on_corner(const Pair& pair, int v, int w, size_t first, std::vector<
     for (const Choice& c : choices)
       if (std::abs(cross(along, pair.edge(c.block_e, c.edge).along)) > parallel_sine) return;
   }
+  // Corners in one place may be under each other's lines by as much; others only as deep as they press.
+  double pressed = pair.meeting();
+  if (distance > pair.meeting())
+    for (const Choice& c : choices) pressed = std::min(pressed, std::max(0.0, -c.gap) + corner_part * pair.least());
+  for (Choice& c : choices)
+    if (const double under = -c.gap - pressed; under > 0) c.from = under / (under + std::max(0.0, c.ahead));
   const Choice best = penetrated_last(choices, corner_part * pair.least(), pair.noise(v));
   if (best.gap > pair.reach() || best.gap < pair.deepest()) return;
   found.push_back(pair.contact(best.block_v, best.vertex, best.block_e, best.edge, best.gap, true));
