@@ -266,6 +266,7 @@ double least_loss(const Model& model, const std::vector<BlockState>& before, con
   double lost = dissipated;
   for (const int b : model.awake_blocks()) {
     if (model.shapes[b].dofs == 0) continue;
+    if (model.shapes[b].bonded && model.blocks[b].velocity[2] != 0) continue;  // about others, which costs nothing
     const Vec2 change = velocity_of(model.blocks[b]) - velocity_of(before[b]);
     lost += model.mass(b) * (scheme.bond_ahead / scheme.dt * change.squaredNorm() - late(model, scheme, b) * model.scene.gravity.dot(change));
   }

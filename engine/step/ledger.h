@@ -66,8 +66,8 @@ void book_motion(const BookedStep& step, Ledger& ledger);
 
 // Whether a block is not weighed at y of such a step.
 bool weighed_late(const Model& model, const Scheme& scheme);
-// J/m, that a step has lost at least while each block is weighed where it was (theory, section 9). `dissipated`: of that by friction and at
-// viscous boundaries.
+// J/m, that a step among bonds that can fail has lost at least while each block is weighed where it was (theory, section 9). `dissipated`: of that by friction and
+// at viscous boundaries.
 double least_loss(const Model& model, const std::vector<BlockState>& before, const Scheme& scheme, double dissipated);
 // Blocks are weighed at y of the step that has moved them: at once those that this lowers; as far as the `lost` (J/m) and that pay for it, all
 // by the same part of the way, those that it lifts. Returns what it adds to the total energy.

@@ -64,7 +64,7 @@ StepReport Stepper::dynamic_step(double most) {
     if (model_.scene.numerics.sleeping && parts_.sleep.wake(model_, scheme)) weighed_late_ = true;
     Attempt attempt(model_, plan_, ledger_, parts_.search, contacts_before_, parts_.fracture.get());
     // 1. The state and the loads that belong to this step's length and times.
-    const std::optional<Energies> start = begin(scheme, attempt);
+    const Start start = begin(scheme, attempt);
 
     // 2 to 5. Contacts, their law, the bonds that fail: where the step leads.
     Course course = seek(scheme, attempt, report);
@@ -92,14 +92,14 @@ StepReport Stepper::dynamic_step(double most) {
     const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved_, dt) : std::vector<double>{};
     std::optional<Restitution> restitution;
     if (plan_.restitution) restitution.emplace(model_, parts_.contacts);
-    const double gained = accept(scheme, course.d, contacts_at_start(), start);
+    const double gained = accept(scheme, course.d, contacts_at_start(), start.energies);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
-    if (start && !regretted && gained > most_gain * start->stored() && regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most)) {
+    if (start.changed && !regretted && gained > most_gain * start.energies->stored() && regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most)) {
       regretted = weighed_late_ = true;
       count_cut();
       continue;
     }
-    if (start && gained > 0 && plan_.gravity) {
+    if (start.energies && gained > 0 && plan_.gravity) {
       weigh_nearer(model_, gained);
       weighed_late_ = true;
     }
@@ -144,18 +144,18 @@ bool Stepper::regret(double dt, double last, double most) {
   return false;
 }
 
-// Returns the energies before, where the step is another than the last and may add to them.
-std::optional<Energies> Stepper::begin(const Scheme& scheme, Attempt& attempt) {
+Stepper::Start Stepper::begin(const Scheme& scheme, Attempt& attempt) {
   effort_ = split_anew_ = 0;
   released_ = {};
   if (judged_astray_) judge_again();
   std::vector<int> due;  // left by a step that was too short for it
   if (parts_.fracture) due = parts_.fracture->choose(true);
   // Another step than the last: y stays, as far as bodies deform or lie on something.
-  std::optional<Energies> start;
-  if (scheme.bond_ahead != ledger_.ahead) {
-    weighed_late_ = true;
-    if (plan_.contacts && !parts_.fracture && ledger_.ahead > 0) start = parts_.energies();
+  Start start;
+  const bool other = scheme.bond_ahead != ledger_.ahead, first = ledger_.ahead == 0;
+  if (other) weighed_late_ = true;
+  if (!parts_.fracture && !first && weighed_late_ && (other ? plan_.contacts : plan_.gravity)) start = {parts_.energies(), other};
+  if (other) {
     attempt.keep_places();
     change_step(scheme.bond_ahead);
   }

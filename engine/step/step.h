@@ -50,7 +50,12 @@ class Stepper {
   double next_dt() const;
   void shorten();
   bool regret(double dt, double last, double most);
-  std::optional<Energies> begin(const Scheme& scheme, Attempt& attempt);
+  // The energies before the step, where they decide what is weighed where; `changed`: it is another than the last and may add to them.
+  struct Start {
+    std::optional<Energies> energies;
+    bool changed = false;
+  };
+  Start begin(const Scheme& scheme, Attempt& attempt);
   Course seek(const Scheme& scheme, Attempt& attempt, StepReport& report);
   void assemble(const Scheme& scheme);
   IslandResult solve(const Scheme& scheme, Vector& d);

@@ -51,7 +51,8 @@ double displacement(const Model& model, int block, const BlockState& to) {
   // A bound that is sharp for translation and for rotation about the centroid.
   const BlockState& from = model.blocks[block];
   const double turn = 2 * std::abs(std::sin((to.angle - from.angle) / 2));
-  const double strain = (to.strain - from.strain).norm();
+  const Vec3 strained = to.strain - from.strain;
+  const double strain = std::sqrt(strained[0] * strained[0] + strained[1] * strained[1] + strained[2] * strained[2] / 2);  // of the tensor: in all axes the same
   const BlockShape& shape = model.shapes[block];
   const double linear = (to.shift - from.shift).norm() + shape.radius * (turn + strain);
   return shape.second_order() ? linear + bending(shape, from, to) : linear;

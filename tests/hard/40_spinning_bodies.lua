@@ -19,7 +19,7 @@ end
 local rock = talus.material { name = "rock", density = 2500, young = 50e9, poisson = 0.2 }
 local function body(order, more)
   local fields = { name = "body", blocks = squares(more.turn or 0, more.up or 0), bonded = true, order = order, material = rock, joint = more.joint }
-  if more.spin then fields.spin, fields.velocity = more.spin, { 1, 0 } end
+  if more.spin then fields.spin, fields.velocity = more.spin, more.velocity or { 1, 0 } end
   return talus.region(fields)
 end
 local function run(label, sim, spin)
@@ -43,6 +43,7 @@ for _, order in ipairs { 1, 2, "rigid" } do
     local dt = turn/5
     run(string.format("order %s, %g rad a step", order, turn), talus.simulation { regions = { body(order, { spin = 5 }) }, time = { t_end = 200*dt, dt = dt } }, 5)
   end
+  run(string.format("order %s, thrown up", order), talus.simulation { gravity = { 0, -g }, regions = { body(order, { spin = 10, velocity = { 0.4, 2 } }) }, time = { t_end = 1, dt = 5e-3 } })
   local tower = talus.region { name = "tower", outline = talus.rect(-20, -25, -19, 25), held = true, material = rock }
   local weak = talus.joint { name = "weak", friction = 0.6, cohesion = 2e6, tension = 1e6 }
   for name, joint in pairs { ["automatic steps"] = false, ["automatic steps, bonds of 1 MPa"] = weak } do
