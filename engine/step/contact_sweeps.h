@@ -51,6 +51,8 @@ class SweepsOf : public Sweeping {
     int other;
     Matrix k;
   };
+  // The larger the patches the fewer the sweeps; a patch costs the cube of its unknowns.
+  static constexpr size_t most_in_patch = 6;
   struct Patch {  // of blocks that hang together by bonds, few enough for a matrix of their own
     std::vector<int> blocks;
     bool unit = false;        // its matrix is 1
