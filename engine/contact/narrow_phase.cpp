@@ -62,7 +62,8 @@ void vertices_on_edges(const NearPair& pair, const Model& model, int bv, int be,
         if (!way) way = pair.way(bv, v, be);
         s = place_met(edge, gap, s, *way);
       }
-      const bool on = pair.within(be, e, s, edge.length);
+      const bool on = pair.within(be, e, s, edge.length) ||
+                      (gap < 0 && pair.within(be, e, s, edge.length, pair.slack(edge.length, -gap)) && pair.loaded_before(bv, v, be, e));
       if (!on && (std::abs(gap) > pair.flush() || !pair.within(be, e, s, edge.length, pair.meeting()))) continue;
       if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) continue;
       if (gap > -pair.flush() && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
@@ -112,6 +113,7 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
   if (pair.inner(i, v) || pair.inner(j, w)) return;  // two faces, each met by itself
   const int w0 = pair.previous(j, w), v0 = pair.previous(i, v);  // edges before the corners; those after bear its number
   if (distance <= pair.meeting()) meeting.push_back({i, pair.global(i, v), j, pair.global(j, w)});
+  if (pair.valley(i, v) || pair.valley(j, w)) return;
   const auto is_here = [&](const Contact& c) {
     return (c.i == i && c.vertex == v && c.j == j && (c.edge == w || c.edge == w0)) ||
            (c.i == j && c.vertex == w && c.j == i && (c.edge == v || c.edge == v0));
@@ -163,23 +165,26 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
 }
 
 // Corners that coincide along a face, however deep they press, give the same contact twice, once from each block: the second is
-// dropped. Else the two would share a load, half of which is lost where one of them goes.
+// dropped, or the one that was not loaded before. Else the two would share a load, half of which is lost where one of them goes; and where they took turns,
+// as shear moves from the one corner to the other by how deep they press, there would be no equilibrium.
 void drop_twins(const NearPair& pair, size_t first, std::vector<Contact>& found) {
-  for (size_t c = first; c < found.size(); ++c) {
-    const Face& face = pair.edge(found[c].j, found[c].edge);
-    const Vec2 p = pair.vertex(found[c].i, found[c].vertex);
+  const auto twins = [&pair](const Contact& a, const Contact& b) {
+    if (b.i != a.j) return false;
+    const Face &face = pair.edge(a.j, a.edge), &facing = pair.edge(b.j, b.edge);
+    const Vec2 apart = pair.vertex(b.i, b.vertex) - pair.vertex(a.i, a.vertex);
+    const double deep = std::abs(face.normal.dot(apart)), aslant = std::abs(cross(face.along, facing.along));
+    const double near = 2 * pair.slack(std::max(face.length, facing.length), deep) + aslant * deep;
+    return std::abs(face.along.dot(apart)) <= near && deep <= -pair.deepest() && face.normal.dot(facing.normal) < -0.99;
+  };
+  for (size_t c = first; c < found.size(); ++c)
     for (size_t other = c + 1; other < found.size();) {
-      const Face& facing = pair.edge(found[other].j, found[other].edge);
-      const Vec2 apart = pair.vertex(found[other].i, found[other].vertex) - p;
-      const double near = 2 * corner_part * std::max(face.length, facing.length);
-      const bool twin = found[other].i == found[c].j && std::abs(face.along.dot(apart)) <= near &&
-                        std::abs(face.normal.dot(apart)) <= pair.meeting() && face.normal.dot(facing.normal) < -0.99;
-      if (twin)
-        found.erase(found.begin() + long(other));
-      else
+      if (!twins(found[c], found[other])) {
         ++other;
+        continue;
+      }
+      if (pair.loaded_before(found[other]) && !pair.loaded_before(found[c])) found[c] = found[other];
+      found.erase(found.begin() + long(other));
     }
-  }
 }
 
 // Where blocks lie in each other and none of these contacts is as deep, as with thin tips that have gone through each other, they stand by the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "contact/detection.h"
 #include "contact/outline.h"
@@ -18,6 +19,7 @@ constexpr double meeting_part = 1e-3;
 // An edge–edge contact is as stiff as one of at least this part of the smaller block's √area: what touches with a hair's
 // breadth now and slides on must not stay as soft as a hair.
 constexpr double least_shared = 0.1;
+constexpr double closed_crack = 1e-4;  // rad: less than rock strains open a crack by at its tip
 constexpr double grazing_slope = 0.1;  // it moves along the face, not onto it
 // What comes to the line of an edge farther than this beyond the edge's ends passes it by, in units of the smaller block's √area.
 constexpr double beside_part = passing_tolerance;
@@ -66,10 +68,10 @@ class NearPair {
   int global(int block, int v) const { return model_.shapes[block].vertex_begin + v; }
 
   // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both sides of the body lead away, and the body is on that side of them:
-  // sides in line lead away on either.
+  // sides in line lead away on either. In a valley they stand above it.
   bool can_rest(int block, int v, const Vec2& n) const {
     const Vec2 a = ahead(block, v).normalized(), b = behind(block, v).normalized(), out = perp(b - a);
-    return a.dot(n) >= -parallel_sine && b.dot(n) >= -parallel_sine && out.dot(n) <= parallel_sine * out.norm();
+    return a.dot(n) >= -parallel_sine && b.dot(n) >= -parallel_sine && out.dot(n) <= parallel_sine * out.norm() && !valley(block, v);
   }
   // Or will, as the blocks turn: it is above the face now.
   bool will_rest(int block, int v, const Vec2& n) const {
@@ -134,6 +136,20 @@ class NearPair {
            (s >= length - flush() && on(leaving(be, next(be, e))) && outer(be, next(be, e)));
   }
 
+  static bool looks_away(const Face& far, const Face& face) { return far.normal.dot(face.normal) < -0.9; }
+
+  bool loaded_before(const Contact& c) const {
+    const std::span<const Contact> before = model_.awake_contacts();
+    const auto same = std::lower_bound(before.begin(), before.end(), c.key(), [](const Contact& old, std::int64_t key) { return old.key() < key; });
+    return same != before.end() && same->key() == c.key() && same->state != ContactState::open;
+  }
+  bool loaded_before(int bv, int v, int be, int e) const {
+    Contact c;
+    c.global_vertex = global(bv, v);
+    c.global_edge = global(be, e);
+    return loaded_before(c);
+  }
+
   // Whether a face of one block has all of the other so far in front of it that nothing meets. Of blocks as parts of bodies, and where corners
   // are met on their way, that does not say so.
   bool apart() const {
@@ -157,7 +173,15 @@ class NearPair {
   // Whether the outline turns inwards at corner `v` of `block`; outwards. Inwards also by little, where what goes by would come to lie under the face beyond.
   bool inner(int block, int v) const {
     const double turn = outline_.turn(global(block, v));
-    return turn < -parallel_sine || -turn * way_ > climbed_part * least_;
+    return turn < -parallel_sine || -turn * way_ > climbed_part * least_ || notch(block, v);
+  }
+  // Of a side by a side that it all but meets; one that does is a crack, whose faces are each other's.
+  bool notch(int block, int v) const { return outline_.turn(global(block, v)) < -closed_crack && ahead(block, v).dot(behind(block, v)) > 0; }
+  // By however little, where it is more than what lies on its sides is pressed in. Of a block of its own: a body's sides bend as it deforms.
+  bool valley(int block, int v) const {
+    const int corner = global(block, v);
+    if (!(outline_.turn(corner) < 0) || leaving(block, v).block != block || arriving(block, v).block != block) return false;
+    return -outline_.turn(corner) * std::sqrt(std::min(ahead(block, v).squaredNorm(), behind(block, v).squaredNorm())) > climbed_part * least_;
   }
   bool outer(int block, int v) const { return outline_.turn(global(block, v)) > parallel_sine; }
   bool convex(int block, int v) const { return outline_.turn(global(block, v)) > 0; }
@@ -170,18 +194,21 @@ class NearPair {
     if (s > length + slack) return s - length < under_wall(be, next(be, e)) && inner(be, next(be, e));
     return true;
   }
+  // m, by which what presses `deep` may have come beyond the end of an edge and still be on it: shear that goes over from one of two corners that press on each other
+  // to the other moves them by the square of that.
+  double slack(double length, double deep) const { return corner_part * length + deep * deep / least_; }
   // m, by which an edge goes on under the wall at an inner corner.
-  double under_wall(int block, int v) const { return outline_.turn(global(block, v)) < -parallel_sine ? -deepest() : way_; }
+  double under_wall(int block, int v) const { return outline_.turn(global(block, v)) < -parallel_sine || notch(block, v) ? -deepest() : way_; }
 
-  // Whether the block `be` has another side between its face at `e` and a corner at `p` below it, or there: what the corner is away from
-  // the face is no depth then.
+  // Whether the block `be` has another side between its face at `e` and a corner at `p` below it: what the corner is away from
+  // the face is no depth then. Also where the corner is on that side, if it looks away from the face; one that stands up from it ends there.
   bool behind(int be, int e, const Face& face, const Vec2& p) const {
     const Vec2 foot = p - face.gap(p) * face.normal;
     for (int f = 0; f < model_.vertex_count(be); ++f) {
       if (f == e || !free(be, f)) continue;
       const Face& far = edge(be, f);
       const double from = far.gap(foot), to = far.gap(p);
-      if (from > meeting() || to <= -meeting() || to <= from) continue;
+      if (from > meeting() || to <= (looks_away(far, face) ? -meeting() : meeting()) || to <= from) continue;
       const double s = far.position(foot + std::max(0.0, from / (from - to)) * (p - foot));
       if (s >= -beside() && s <= far.length + beside()) return true;
     }

@@ -77,6 +77,16 @@ void end_sliding(Model& model) {
   for (Contact& contact : model.contacts) contact.end_sliding();
 }
 
+// What is long and low is slower than its height says, which holds are measured by.
+double slower_by_width(const Model& model) {
+  constexpr double wide = 3;  // times as wide as high: as slow as that
+  Vec2 sum = Vec2::Zero();
+  for (const BlockShape& shape : model.shapes) sum += shape.reference_centroid;
+  double far = 0;
+  for (const BlockShape& shape : model.shapes) far = std::max(far, (shape.reference_centroid - sum / double(model.shapes.size())).norm() + shape.radius);
+  return std::min(1.0, std::pow(wide * model.extent / far, 2));
+}
+
 // Whether all blocks hang together by bonds and nothing has cracked: then nothing touches.
 bool in_one_piece(const Model& model) {
   const auto failed = [](const Joint& joint) { return joint.state == JointState::failed; };
@@ -97,19 +107,31 @@ std::string Equilibrium::settle() {
     if (found) attempt.keep();
     return found;
   };
+  bool slid = false;
   if (!settles(true, 0, equilibrium_iterations, stuck)) {
     if (stuck.last.singular_block >= 0) give_up(stuck);
-    return "no settled start: even with joints that do not slide, " + culprit(stuck) +
+    slid = plan_.contacts && stuck.left < 0 && balances_in_place();
+    if (!slid) return "no settled start: even with joints that do not slide, " + culprit(stuck) +
            (stuck.left >= 0 ? " topples or falls" : " keeps moving") + "; the run starts at rest as given";
   }
   // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
   // starts from there, or the first steps would shake it.
-  if (plan_.contacts && !settles(false, release_hold, release_iterations, released)) start_sliding();
+  if (plan_.contacts && !slid && !settles(false, release_hold, release_iterations, released)) start_sliding();
   end_sliding(model_);
   for (Contact& contact : model_.contacts) contact.slip = 0;
   keep_viscous_tractions(model_);
   if (parts_.fracture) parts_.fracture->weaken();
   return {};
+}
+
+// As a static run finds it, with friction from the start: an arch may have contacts that come and go as long as they all stick.
+bool Equilibrium::balances_in_place() {
+  Restored attempt(model_);
+  EquilibriumSearch search;
+  search.in_place = true;
+  const bool found = balance(search);
+  if (found) attempt.keep();
+  return found;
 }
 
 // What friction does not hold is strained, as it begins to slide, by what is left of it and by its own inertia: let go from
@@ -165,7 +187,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   StepReport& report = search.report;
   OpenCloseResult& result = search.last;
   Vector& d = search.d;
-  const double least = plan_.contacts && !in_one_piece(model_) ? least_hold : 0, enough = model_.scene.numerics.static_tolerance;
+  const double least = plan_.contacts && !in_one_piece(model_) ? least_hold * slower_by_width(model_) : 0, enough = model_.scene.numerics.static_tolerance;
   Softening softening;
   const BridgeSearch bridged(bridges_);
   for (BlockState& state : model_.blocks) state.velocity.fill(0);
