@@ -173,14 +173,14 @@ class NearPair {
   // Whether the outline turns inwards at corner `v` of `block`; outwards. Inwards also by little, where what goes by would come to lie under the face beyond.
   bool inner(int block, int v) const {
     const double turn = outline_.turn(global(block, v));
-    return turn < -parallel_sine || -turn * way_ > climbed_part * least_ || notch(block, v);
+    return turn < -parallel_sine || -turn * way_ > climbed_part * least_ || notch(block, v) || valley(block, v);
   }
-  // Of a side by a side that it all but meets; one that does is a crack, whose faces are each other's.
-  bool notch(int block, int v) const { return outline_.turn(global(block, v)) < -closed_crack && ahead(block, v).dot(behind(block, v)) > 0; }
+  bool own(int block, int v) const { return leaving(block, v).block == block && arriving(block, v).block == block; }  // and no other of its body
+  bool notch(int block, int v) const { return own(block, v) && outline_.turn(global(block, v)) < -closed_crack && ahead(block, v).dot(behind(block, v)) > 0; }
   // By however little, where it is more than what lies on its sides is pressed in. Of a block of its own: a body's sides bend as it deforms.
   bool valley(int block, int v) const {
     const int corner = global(block, v);
-    if (!(outline_.turn(corner) < 0) || leaving(block, v).block != block || arriving(block, v).block != block) return false;
+    if (!(outline_.turn(corner) < 0) || !own(block, v)) return false;
     return -outline_.turn(corner) * std::sqrt(std::min(ahead(block, v).squaredNorm(), behind(block, v).squaredNorm())) > climbed_part * least_;
   }
   bool outer(int block, int v) const { return outline_.turn(global(block, v)) > parallel_sine; }
@@ -197,8 +197,10 @@ class NearPair {
   // m, by which what presses `deep` may have come beyond the end of an edge and still be on it: shear that goes over from one of two corners that press on each other
   // to the other moves them by the square of that.
   double slack(double length, double deep) const { return corner_part * length + deep * deep / least_; }
-  // m, by which an edge goes on under the wall at an inner corner.
-  double under_wall(int block, int v) const { return outline_.turn(global(block, v)) < -parallel_sine || notch(block, v) ? -deepest() : way_; }
+  // m, by which an edge goes on under the wall at an inner corner; what lies in a shallow one is out of both edges by the sine of its depth.
+  double under_wall(int block, int v) const {
+    return outline_.turn(global(block, v)) < -parallel_sine || notch(block, v) ? -deepest() : std::max(way_, meeting());
+  }
 
   // Whether the block `be` has another side between its face at `e` and a corner at `p` below it: what the corner is away from
   // the face is no depth then. Also where the corner is on that side, if it looks away from the face; one that stands up from it ends there.

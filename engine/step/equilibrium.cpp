@@ -32,6 +32,8 @@ constexpr int whole_way_among_cracks = 15;
 
 constexpr double release_hold = 0.1;
 constexpr int release_iterations = 40;
+// Solves with friction from the start, where sticking joints alternate: enough for arches of 100 voussoirs, and no more than those took.
+constexpr int most_balance_solves = 60;
 constexpr double sliding_hold = 1e-3;  // part of (wave speed / size of a block)²
 // Of its acceleration that is a load. The rest moves it on, by about ten times what its strains change, so that friction has
 // its direction everywhere.
@@ -81,10 +83,15 @@ void end_sliding(Model& model) {
 double slower_by_width(const Model& model) {
   constexpr double wide = 3;  // times as wide as high: as slow as that
   Vec2 sum = Vec2::Zero();
-  for (const BlockShape& shape : model.shapes) sum += shape.reference_centroid;
+  int moving = 0;
+  const auto each_moving = [&model](auto visit) {
+    for (const BlockShape& shape : model.shapes)
+      if (shape.dofs > 0) visit(shape);
+  };
+  each_moving([&](const BlockShape& shape) { sum += shape.reference_centroid, ++moving; });
   double far = 0;
-  for (const BlockShape& shape : model.shapes) far = std::max(far, (shape.reference_centroid - sum / double(model.shapes.size())).norm() + shape.radius);
-  return std::min(1.0, std::pow(wide * model.extent / far, 2));
+  each_moving([&](const BlockShape& shape) { far = std::max(far, (shape.reference_centroid - sum / moving).norm() + shape.radius); });
+  return far > wide * model.extent ? std::pow(wide * model.extent / far, 2) : 1;
 }
 
 // Whether all blocks hang together by bonds and nothing has cracked: then nothing touches.
@@ -110,7 +117,7 @@ std::string Equilibrium::settle() {
   bool slid = false;
   if (!settles(true, 0, equilibrium_iterations, stuck)) {
     if (stuck.last.singular_block >= 0) give_up(stuck);
-    slid = plan_.contacts && stuck.left < 0 && balances_in_place();
+    slid = plan_.contacts && stuck.left < 0 && balances_in_place(most_balance_solves);
     if (!slid) return "no settled start: even with joints that do not slide, " + culprit(stuck) +
            (stuck.left >= 0 ? " topples or falls" : " keeps moving") + "; the run starts at rest as given";
   }
@@ -125,10 +132,11 @@ std::string Equilibrium::settle() {
 }
 
 // As a static run finds it, with friction from the start: an arch may have contacts that come and go as long as they all stick.
-bool Equilibrium::balances_in_place() {
+bool Equilibrium::balances_in_place(int most_solves) {
   Restored attempt(model_);
   EquilibriumSearch search;
   search.in_place = true;
+  search.most_solves = most_solves;
   const bool found = balance(search);
   if (found) attempt.keep();
   return found;

@@ -268,7 +268,11 @@ bool Stepper::overlooks(double dt, double displacement, const Vector& d) {
 bool Stepper::turns_gain(const Scheme& scheme, const Course& course) {
   StepTimer timer(totals_, "update");
   const double work = work_of_turning(model_, parts_.contacts, scheme, course.d, moved_, step_size_.straight());
-  return work > most_turning * ledger_.scale() && work > most_turning * parts_.energies().stored();
+  if (work <= most_turning * ledger_.scale() || work <= most_turning * parts_.energies().stored()) return false;
+  double fall = 0;  // J/m, what gravity puts in: in the first step there is nothing before it
+  for (const int b : model_.awake_blocks())
+    if (model_.shapes[b].dofs > 0) fall += model_.mass(b) * model_.scene.gravity.dot(moved_[b].shift - model_.blocks[b].shift);
+  return work > most_turning * std::abs(fall);
 }
 
 // Finds moved_ in one pass over what is awake: of many blocks the states are more than caches hold. What sleeps is in it as it is.

@@ -52,6 +52,20 @@ for _, facet in ipairs { 0.1, 0.5, 1, 2, 2.9, 3.2 } do
     talus.check.below(string.format("square in a bowl of facets of %g°, %s: turned by, rad", facet, time.mode or time.start or "at once"), math.abs(sim.blocks[2].rotation), 1e-3)
   end
 end
+for _, turn in ipairs { 0.05, 0.5, 1, 2.9, 3.1 } do
+  for _, order in ipairs { "rigid", 1 } do
+    local rise = 2*math.tan(math.rad(turn/2))
+    local sim = talus.simulation {
+      gravity = {0, -g}, contact = talus.joint { friction = math.rad(35), stiffness = { per = "area", value = 5e9 } },
+      regions = { talus.region { name = "valley", outline = {{-2, -1}, {2, -1}, {2, rise}, {0, 0}, {-2, rise}}, material = rock, held = true },
+                  talus.region { name = "tip", outline = {{0, 0}, {0.5, 1}, {-0.5, 1}}, material = rock, order = order } },
+      time = { t_end = 0.2, dt = 1e-3 },
+    }
+    sim:run()
+    talus.check.below(string.format("tip that stands in a valley of %g°, order %s: deepest, m", turn, order), -sim.blocks[2].vertices[1][2], 2e-5)
+    talus.check.below(string.format("tip that stands in a valley of %g°, order %s: unexplained, of scale", turn, order), math.abs(sim.energy.unexplained)/sim.energy.scale, 1e-6)
+  end
+end
 local r, from = 1, math.rad(20)
 local T = 2*math.pi*math.sqrt((3 - r)/g)*(1 + from^2/16)
 for _, sides in ipairs { {100, 333}, {200, 1000} } do
