@@ -48,8 +48,9 @@ for _, facet in ipairs { 0.1, 0.5, 1, 2, 2.9, 3.2 } do
       end
     end
     local drawn = R*(1 - math.cos(math.rad(facet/2)))  -- a chord lies so far inside the circle that the square is drawn on
-    talus.check.below(string.format("square in a bowl of facets of %g°, %s: deepest, m", facet, time.mode or time.start or "at once"), deepest, time.start and 1e-6 + drawn or 1e-6 + drawn)
-    talus.check.below(string.format("square in a bowl of facets of %g°, %s: turned by, rad", facet, time.mode or time.start or "at once"), math.abs(sim.blocks[2].rotation), 1e-3)
+    local label = string.format("square in a bowl of facets of %g°, %s: ", facet, time.mode or time.start or "at once")
+    talus.check.below(label .. "deepest, m", deepest, 1e-6 + drawn)
+    talus.check.below(label .. "turned by, rad", math.abs(sim.blocks[2].rotation), 1e-3)
   end
 end
 for _, turn in ipairs { 0.05, 0.5, 1, 2.9, 3.1 } do
