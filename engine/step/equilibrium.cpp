@@ -117,7 +117,7 @@ std::string Equilibrium::settle() {
   bool slid = false;
   if (!settles(true, 0, equilibrium_iterations, stuck)) {
     if (stuck.last.singular_block >= 0) give_up(stuck);
-    slid = plan_.contacts && stuck.left < 0 && balances_in_place(most_balance_solves);
+    slid = plan_.contacts && stuck.left < 0 && balances_in_place();
     if (!slid) return "no settled start: even with joints that do not slide, " + culprit(stuck) +
            (stuck.left >= 0 ? " topples or falls" : " keeps moving") + "; the run starts at rest as given";
   }
@@ -132,11 +132,11 @@ std::string Equilibrium::settle() {
 }
 
 // As a static run finds it, with friction from the start: an arch may have contacts that come and go as long as they all stick.
-bool Equilibrium::balances_in_place(int most_solves) {
+bool Equilibrium::balances_in_place() {
   Restored attempt(model_);
   EquilibriumSearch search;
   search.in_place = true;
-  search.most_solves = most_solves;
+  search.most_solves = most_balance_solves;
   const bool found = balance(search);
   if (found) attempt.keep();
   return found;

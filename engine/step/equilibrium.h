@@ -37,7 +37,7 @@ class Equilibrium {
 
  private:
   bool find(bool stick, double hold, int iterations, EquilibriumSearch& search);
-  bool balances_in_place(int most_solves);
+  bool balances_in_place();
   void start_sliding();
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
   void assemble(bool stick, bool whole_way);

@@ -66,7 +66,7 @@ void book_motion(const BookedStep& step, Ledger& ledger);
 
 // Whether a block is not weighed at y of such a step.
 bool weighed_late(const Model& model, const Scheme& scheme);
-// J/m, that a step among bonds that can fail has lost at least while each block is weighed where it was (theory, section 9). `dissipated`: of that by friction and
+// J/m, that the first step, or one among bonds that can fail, has lost at least while each block is weighed where it was (theory, section 9). `dissipated`: of that by friction and
 // at viscous boundaries.
 double least_loss(const Model& model, const std::vector<BlockState>& before, const Scheme& scheme, double dissipated);
 // Blocks are weighed at y of the step that has moved them: at once those that this lowers; as far as the `lost` (J/m) and that pay for it, all
