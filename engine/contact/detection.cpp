@@ -232,7 +232,11 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
     last_dt_ = model.time - time_;
     time_ = model.time;
   }
-  if (unmoved(model, dt) && intact == intact_joints_ && seen.empty()) return lie_as_pressed(model, dt);
+  found_as_before_ = unmoved(model, dt) && intact == intact_joints_ && seen.empty();
+  if (found_as_before_) {
+    if (dt == 0) lie_as_pressed(model, dt);  // loads press harder on what stays where it is
+    return;
+  }
   std::vector<Contact> now;
   std::vector<MeetingCorners> meeting;
   {

@@ -63,6 +63,8 @@ class ContactSearch {
   // `seen`, if any: where a solution of the step led; what that did not know of is looked for on those ways.
   // `cracked`: bonds have failed in this step, whose bodies met by other corners before.
   void update(Model& model, double dt, const std::vector<BlockState>& seen = {}, bool cracked = false);
+  // Whether nothing had moved since the search before it, which had found all there is.
+  bool found_as_before() const { return found_as_before_; }
   // Pairs of blocks that came near each other in the last search.
   const std::vector<std::pair<int, int>>& near() const { return near_; }
   // Those that would at other velocities.
@@ -99,6 +101,7 @@ class ContactSearch {
   double time_ = 0, last_dt_ = 0;    // s, of the last search of another time, and the accepted step since
   std::vector<double> seen_;         // places in the last search, if nothing moved
   double seen_dt_ = 0;
+  bool found_as_before_ = false;
   NearBlocks near_blocks_;
   std::vector<std::pair<int, int>> near_;
   Faces faces_;

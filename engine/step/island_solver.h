@@ -34,6 +34,8 @@ class IslandSolver {
   // solved.
   IslandResult solve(const Model& model, const System& system, const ContactTerms& contacts,
                      const OpenCloseSettings& settings, double dt, Vector& d);
+  // All rests as it did in the last solution.
+  IslandResult rest_on(const System& system, Vector& d) const;
   // Largest residual at d = 0. Islands that have no more than `enough` are at rest.
   OpenCloseResult judge(const Model& model, const System& system, const ContactTerms& contacts, double enough);
 

@@ -267,6 +267,7 @@ bool Stepper::overlooks(double dt, double displacement, const Vector& d) {
 // Whether blocks turn in the step by so much that the work of their contacts is not what it was solved with.
 bool Stepper::turns_gain(const Scheme& scheme, const Course& course) {
   StepTimer timer(totals_, "update");
+  if (all_still()) return false;
   const double work = work_of_turning(model_, parts_.contacts, scheme, course.d, moved_, step_size_.straight());
   if (work <= most_turning * ledger_.scale() || work <= most_turning * parts_.energies().stored()) return false;
   double fall = 0;  // J/m, what gravity puts in: in the first step there is nothing before it

@@ -27,16 +27,11 @@ void StepParts::prepare_bonds() {
 void StepParts::assemble(const Scheme& scheme, const ContactChoice& choice) {
   StepTimer timer(totals, "assembly");
   prepare_bonds();
-  std::vector<std::pair<int, int>> pairs;
-  for (const Joint& joint : model.joints)
-    if (ties(joint) && !model.sleeps(joint.a) && !model.sleeps(joint.b)) pairs.push_back({joint.a, joint.b});
   poses.predict(model, scheme);
-  if (plan.contacts) contacts.linearise(model, poses, scheme, choice.stick, choice.nearness, choice.pressed);
-  for (const ContactRows& row : contacts.rows())
-    if (row.near) pairs.push_back({row.i, row.j});
-  std::vector<int> with_entries;
-  std::ranges::copy(model.awake_blocks(), std::back_inserter(with_entries));
-  if (system.matrix.set_pattern(block_sizes_, std::move(pairs), std::move(with_entries)) && plan.bonds) joints.find_slots(model, system.matrix);
+  const Choice choice_now{scheme.dt, choice.pressed, !choice.nearness.empty()};
+  linked_as_before_ = scheme.dt > 0 && search.found_as_before() && islands.all_rest() && !choice_now.widened && choice_now == chosen_;
+  chosen_ = choice_now;
+  if (!linked_as_before_) link(scheme, choice);
   system.clear(model);
   add_block_terms(model, poses, scheme, system);
   if (plan.bonds) joints.add(model, poses, scheme, system);
@@ -44,13 +39,32 @@ void StepParts::assemble(const Scheme& scheme, const ContactChoice& choice) {
   if (plan.viscous) add_viscous_edges(model, poses, scheme, system);
   add_loads(model, poses, scheme, system);
   for (const auto& term : terms) term->add(model, poses, scheme, system);
+}
+
+// What may press on what: rows of contacts, the pattern of the matrix, islands.
+void StepParts::link(const Scheme& scheme, const ContactChoice& choice) {
+  std::vector<std::pair<int, int>> pairs;
+  for (const Joint& joint : model.joints)
+    if (ties(joint) && !model.sleeps(joint.a) && !model.sleeps(joint.b)) pairs.push_back({joint.a, joint.b});
+  if (plan.contacts) contacts.linearise(model, poses, scheme, choice.stick, choice.nearness, choice.pressed);
+  for (const ContactRows& row : contacts.rows())
+    if (row.near) pairs.push_back({row.i, row.j});
+  std::vector<int> with_entries;
+  std::ranges::copy(model.awake_blocks(), std::back_inserter(with_entries));
+  if (system.matrix.set_pattern(block_sizes_, std::move(pairs), std::move(with_entries)) && plan.bonds) joints.find_slots(model, system.matrix);
   islands.find(model, contacts, !model.scene.numerics.islands);
+}
+
+// The same forces on contacts as they were: the residual that the last step was accepted with.
+bool StepParts::balances_as_before() const {
+  return linked_as_before_ && system.force == at_rest_.force && system.force_scale == at_rest_.scale && system.force_rounding == at_rest_.rounding;
 }
 
 IslandResult StepParts::solve(double dt, double most_effort, Vector& d) {
   StepTimer timer(totals, "open-close and solve");
   const Numerics& numerics = model.scene.numerics;
   const bool motion = dt > 0;
+  if (motion && balances_as_before()) return islands.rest_on(system, d);
   // Equilibrium is judged once more afterwards, by scales of its own.
   const double tolerance = motion ? numerics.contact_tolerance : std::min(numerics.contact_tolerance, 0.1 * numerics.static_tolerance);
   const OpenCloseSettings settings{tolerance, numerics.max_iterations, motion, numerics.solver, most_effort};
@@ -61,6 +75,10 @@ IslandResult StepParts::solve(double dt, double most_effort, Vector& d) {
   totals.pivots += result.pivots;
   totals.factorisations += result.factorisations;
   totals.largest_iterations = std::max(totals.largest_iterations, result.iterations);
+  if (motion && islands.all_rest())
+    at_rest_ = {system.force, system.force_scale, system.force_rounding};
+  else
+    at_rest_ = {};
   return result;
 }
 

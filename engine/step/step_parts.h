@@ -34,7 +34,8 @@ class StepParts {
 
   // What hangs on materials and bonds alone, where the script has changed them since.
   void prepare_bonds();
-  // K d = f for everything but contacts and softening bonds, and the contacts' rows.
+  // K d = f for everything but contacts and softening bonds, and the contacts' rows. Where a step in motion begins as the last one did, in which
+  // nothing moved, rows, pattern and islands are those of that.
   void assemble(const Scheme& scheme, const ContactChoice& choice);
   // dt = 0: equilibrium.
   IslandResult solve(double dt, double most_effort, Vector& d);
@@ -82,6 +83,20 @@ class StepParts {
   std::unique_ptr<Fracture> fracture;  // where bonds can fail
 
  private:
+  void link(const Scheme& scheme, const ContactChoice& choice);
+  bool balances_as_before() const;
+
+  struct Choice {  // of the last assembly
+    double dt = -1, pressed = 0;
+    bool widened = false;
+    bool operator==(const Choice&) const = default;
+  };
+  Choice chosen_;
+  bool linked_as_before_ = false;
+  struct {  // of the last solution, if nothing moved in it
+    Vector force;
+    std::vector<double> scale, rounding;
+  } at_rest_;
   std::vector<int> block_sizes_;  // unknowns of each block
   long revision_ = -1;
   double transit_ = 0;  // s, Fracture::least_transit() of the present revision

@@ -101,3 +101,43 @@ end
 local with, slept_before = rising(true)
 check.truth("a load with a history wakes, to the bit", with == rising(false))
 check.above("before the load rises: asleep", slept_before, 5)
+
+-- A step that begins as the last one did, in which nothing moved, takes its contacts and islands, and where forces are the same too its
+-- answer. Whatever begins to act on what rests is felt in that step, as by a run that is restored and has no last step.
+local function resting()
+  local stack = {}
+  for k = 1, 4 do stack[k] = talus.rect(0, k - 1, 1, k) end
+  local rough = talus.joint { name = "rough", friction = math.rad(35) }
+  local sim = talus.simulation {
+    gravity = {0, -9.81}, contact = rough,
+    regions = { slab(), talus.region { name = "stack", blocks = stack, material = rock }, talus.region { name = "bar", outline = talus.rect(3, 0, 6, 1), material = rock } },
+    loads = { talus.point_load { name = "jack", region = "stack", at = {1, 3.5}, force = { {{0, 0}, {0.02, 0}, {0.03, 5e4}}, 0 } },
+              talus.point_load { name = "push", region = "bar", at = {3, 0.5}, force = {3e4, 0} } },
+    time = { mode = "dynamic", t_end = 4, dt = 1e-3, start = "settled" },
+  }
+  return sim, rough
+end
+local acts = {
+  { "a load with a history", 20, function() end },
+  { "a load that is set", 12, function(sim) sim:load("push").force = {6e4, 0} end },
+  { "a velocity that is set", 12, function(sim) sim.blocks[3].velocity = {0.2, 0} end },
+  { "friction that is lowered", 12, function(_, joint) joint.friction = math.rad(15) end },
+  { "a material that gets softer", 12, function(sim) sim:region("bar").material.young = 1e8 end },
+}
+for _, act in ipairs(acts) do
+  local name, steps, change = table.unpack(act)
+  local went_on, joint = resting()
+  for _ = 1, steps - 1 do went_on:step() end
+  local at_rest = went_on.totals.steps_at_rest
+  local fresh, its_joint = resting()
+  fresh:restore(went_on:save())
+  local before = bits(went_on, "stack") .. bits(went_on, "bar")
+  for _, run_of in ipairs { { went_on, joint }, { fresh, its_joint } } do
+    change(table.unpack(run_of))
+    for _ = 1, 3 do run_of[1]:step() end
+  end
+  local after = bits(went_on, "stack") .. bits(went_on, "bar")
+  check.truth(name .. " on what rests: as after a restart, to the bit", after == bits(fresh, "stack") .. bits(fresh, "bar"))
+  check.truth(name .. " on what rests: it moves", after ~= before)
+  check.above(name .. ": steps at rest before", at_rest, steps - 4)
+end
