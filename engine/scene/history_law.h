@@ -37,6 +37,7 @@ class History {
     return next == table_.end() ? std::numeric_limits<double>::infinity() : next->first;
   }
 
+  bool constant() const { return !function_ && table_.empty(); }
   bool is_function() const { return bool(function_); }
 
   // ∫ from `begin` to `end`, not before it: exact for constants and tables; Gauss's rule with 16 points for functions, for no more than a

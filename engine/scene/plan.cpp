@@ -30,6 +30,13 @@ bool moves_supports(const Scene& scene) {
   return std::any_of(scene.fixities.begin(), scene.fixities.end(), [](const Fixity& fixity) { return fixity.motion != Fixity::none || fixity.spin != 0; });
 }
 
+bool loads_change(const Scene& scene) {
+  const auto changes = [](const std::array<History, 2>& of) { return !of[0].constant() || !of[1].constant(); };
+  return moves_supports(scene) || std::ranges::any_of(scene.point_loads, [&](const PointLoad& load) { return changes(load.force); }) ||
+         std::ranges::any_of(scene.edge_loads, [&](const EdgeLoad& load) { return changes(load.traction); }) ||
+         std::ranges::any_of(scene.regions, [&](const Region& region) { return changes(region.body_force); });
+}
+
 Plan make_plan(const Model& model) {
   Plan plan;
   const Scene& scene = model.scene;

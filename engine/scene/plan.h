@@ -21,5 +21,7 @@ struct Plan {
 
 Plan make_plan(const Model& model);
 bool moves_supports(const Scene& scene);
+// Whether loads, body forces or supports are others at some times than at others.
+bool loads_change(const Scene& scene);
 
 }  // namespace talus

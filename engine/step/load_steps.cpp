@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "step/closure.h"
@@ -30,6 +31,8 @@ double exchanged(const Ledger& before, const Ledger& now) {
   return std::abs(now.boundary_work - before.boundary_work) + std::abs(now.external_work - before.external_work) +
          std::abs(now.gravity_work - before.gravity_work);
 }
+
+double bend_allowed(const Ledger& before, const Ledger& now) { return std::max(most_bend * exchanged(before, now), least_bend * now.scale()); }
 
 class Unstressed {  // blocks without their initial stress, while this lives
  public:
@@ -65,20 +68,44 @@ StepReport LoadSteps::take(double to, bool first) {
   parts_.prepare_bonds();
   // What touches at the start, before supports move: they would press from the start on only with what comes after.
   if (first && plan_.contacts) parts_.search.update(model_, 0);
-  if (!parts_.fracture) {
-    const double from = model_.time;
-    const bool moving = moves_supports(model_.scene);  // the script may have let one go since the plan was made
-    model_.time = plan_.contacts && moving ? reachable(to) : to;
+  if (!parts_.fracture) return load(to, first);
+  const std::vector<int> due = first ? std::vector<int>{} : parts_.fracture->choose(false);
+  parts_.fracture->clear_events();
+  return due.empty() ? raise_load(to, first) : break_bonds(due);
+}
+
+// Where no bond can fail. What slides to and fro between two load steps is followed to where it turns round.
+StepReport LoadSteps::load(double to, bool first) {
+  const double from = model_.time;
+  const bool moving = moves_supports(model_.scene);  // the script may have let one go since the plan was made
+  const bool slides = plan_.contacts && loads_change(model_.scene);
+  double until = plan_.contacts && moving ? reachable(to) : to;
+  const Closure closure(model_, parts_.joints, {});
+  for (int cuts = 0;; ++cuts) {
+    std::optional<Restored> attempt;
+    if (slides) attempt.emplace(model_);
+    model_.time = until;
     const LoadStepBooking booking(model_, parts_.supports, from, first);
+    const Ledger before = ledger_;
     EquilibriumSearch search;
     search.in_place = !moving;
     if (!equilibrium_.balance(search)) equilibrium_.give_up(search);
     book(booking, first);
-    return search.report;
+    search.report.cuts = cuts;
+    if (!slides || !may_quarter(until - from) || std::abs(closure.work(model_, ledger_.friction_work - before.friction_work)) <= bend_allowed(before, ledger_)) {
+      if (attempt) attempt->keep();
+      return search.report;
+    }
+    ledger_ = before;
+    until = from + (until - from) / 4;
+    ++totals_.cuts;
   }
-  const std::vector<int> due = first ? std::vector<int>{} : parts_.fracture->choose(false);
-  parts_.fracture->clear_events();
-  return due.empty() ? raise_load(to, first) : break_bonds(due);
+}
+
+// Whether a part of a load step may still be taken in quarters.
+bool LoadSteps::may_quarter(double increment) const {
+  const TimeControl& time = model_.scene.time;
+  return increment > finest_increment * time.t_end / time.steps;
 }
 
 // The energy stored is linear in an initial stress, which grows in the first load step as the loads do: half of what it has put in.
@@ -121,7 +148,6 @@ StepReport LoadSteps::raise_load(double to, bool first) {
   const double overshoot = model_.scene.fracture.overshoot, before = parts_.fracture->judge();
   double until = foreseen(from, to, before);
   const double pace = std::max(pace_, from > 0 ? before / from : 0);
-  const double whole = model_.scene.time.t_end / model_.scene.time.steps;
   const Closure closure(model_, parts_.joints, {});
   int vain = 0;  // solves
   for (int cuts = 0;; ++cuts) {
@@ -142,8 +168,8 @@ StepReport LoadSteps::raise_load(double to, bool first) {
       book(booking, first);
       bridges.book(model_, ledger_);
       const double off = closure.work(model_, ledger_.friction_work - ledger.friction_work);
-      const bool bent = std::abs(off) > std::max(most_bend * exchanged(ledger, ledger_), least_bend * ledger_.scale());
-      if (!search.jumped && bent && until - from > finest_increment * whole && until > soonest) {
+      const bool bent = std::abs(off) > bend_allowed(ledger, ledger_);
+      if (!search.jumped && bent && may_quarter(until - from) && until > soonest) {
         ledger_ = ledger;
         until = from + (until - from) / 4;
         ++totals_.cuts;

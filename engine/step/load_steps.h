@@ -22,6 +22,8 @@ class LoadSteps {
 
  private:
   StepReport take(double to, bool first);
+  StepReport load(double to, bool first);
+  bool may_quarter(double increment) const;
   double reachable(double to) const;
   double foreseen(double from, double to, double utilisation) const;
   StepReport raise_load(double to, bool first);
