@@ -233,6 +233,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
     time_ = model.time;
   }
   found_as_before_ = unmoved(model, dt) && intact == intact_joints_ && seen.empty();
+  ended_ = 0;
   if (found_as_before_) {
     if (dt == 0) lie_as_pressed(model, dt);  // loads press harder on what stays where it is
     return;
@@ -250,7 +251,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   drop_points(model, meeting, surface_.bonded, now);
   sort_by_key(now);
   drop_hidden(model, surface_, now);
-  carry_over(model, dt, cracked, now);
+  ended_ = carry_over(model, dt, cracked, now);
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());
   if (dt > 0 && dt < shorter * last_dt_) forgive_depth(model, dt);

@@ -65,6 +65,8 @@ class ContactSearch {
   void update(Model& model, double dt, const std::vector<BlockState>& seen = {}, bool cracked = false);
   // Whether nothing had moved since the search before it, which had found all there is.
   bool found_as_before() const { return found_as_before_; }
+  // J/m, what those stored that ended in the last search, pressed off the end of a face as a rule, beyond what went on in others.
+  double ended() const { return ended_; }
   // Pairs of blocks that came near each other in the last search.
   const std::vector<std::pair<int, int>>& near() const { return near_; }
   // Those that would at other velocities.
@@ -102,6 +104,7 @@ class ContactSearch {
   std::vector<double> seen_;         // places in the last search, if nothing moved
   double seen_dt_ = 0;
   bool found_as_before_ = false;
+  double ended_ = 0;
   NearBlocks near_blocks_;
   std::vector<std::pair<int, int>> near_;
   Faces faces_;

@@ -133,7 +133,7 @@ double gap_now(const Model& model, const Contact& c) {
   return edge_normal(model, c).dot(model.vertex[c.global_vertex] - model.vertex[c.global_edge]);
 }
 
-void carry_over(const Model& model, double dt, bool cracked, std::vector<Contact>& now) {
+double carry_over(const Model& model, double dt, bool cracked, std::vector<Contact>& now) {
   std::vector<Contact*> fresh;
   std::vector<const Contact*> ended;
   const std::span<const Contact> before = model.awake_contacts();
@@ -159,6 +159,8 @@ void carry_over(const Model& model, double dt, bool cracked, std::vector<Contact
   }
   end_those_before(std::numeric_limits<std::int64_t>::max());
   const std::vector<const Contact*> predecessor = predecessors(model, fresh, ended);
+  double stored = 0;
+  for (const Contact* c : ended) stored += c->stored();
   for (size_t k = 0; k < fresh.size(); ++k) {
     Contact* const c = fresh[k];
     if (const Contact* const old = predecessor[k]) {
@@ -177,11 +179,13 @@ void carry_over(const Model& model, double dt, bool cracked, std::vector<Contact
       c->deeper = deeper + old->offset - c->offset;
       c->offset += old->normal_force / old->normal_stiffness - old->normal_force / c->normal_stiffness;
       c->load_shear = std::numeric_limits<double>::quiet_NaN();
+      stored -= c->stored();
     } else {
       c->offset = born_with(model, *c, dt, cracked);
       if (c->joint >= 0) take_over(model, *c);
     }
   }
+  return stored;
 }
 
 // After a hit X lies deeper than y, by Δt/4 times the speed of the rebound; a step shorter than the last would find that

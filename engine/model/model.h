@@ -201,6 +201,7 @@ struct Contact {
     slip += stretch - held;
     stretch = held;
   }
+  double stored() const { return normal_force * normal_force / (2 * normal_stiffness) + shear_force * shear_force / (2 * shear_stiffness); }  // J/m
   std::int64_t key() const { return (std::int64_t(global_vertex) << 32) | std::uint32_t(global_edge); }
   int global_vertex = 0, global_edge = 0;  // indices into Model::vertex
 };

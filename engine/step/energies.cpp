@@ -72,14 +72,9 @@ Vec2 contact_push(const Model& model, const Contact& c) {
   return -c.normal_force * perp(along) - c.shear_force * along;
 }
 
-double contact_energy(const Contact& c) {
-  return c.normal_force * c.normal_force / (2 * c.normal_stiffness) +
-         c.shear_force * c.shear_force / (2 * c.shear_stiffness);
-}
-
 double contact_energy(std::span<const Contact> contacts) {
   double sum = 0;
-  for (const Contact& c : contacts) sum += contact_energy(c);
+  for (const Contact& c : contacts) sum += c.stored();
   return sum;
 }
 

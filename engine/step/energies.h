@@ -18,7 +18,6 @@ double kinetic_energy(const Model& model, int block, double ahead);
 double strain_energy(const Model& model, const JointTerms& joints, const Supports& supports, double ahead);
 
 Vec2 contact_push(const Model& model, const Contact& contact);  // N/m, on the corner
-double contact_energy(const Contact& contact);  // N²/2kn + T²/2ks
 double contact_energy(std::span<const Contact> contacts);
 int closed_contacts(std::span<const Contact> contacts);
 

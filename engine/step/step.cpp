@@ -342,6 +342,7 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
   if (plan_.contacts) {
     parts_.islands.store(model_, parts_.contacts, d, true);
     booking->book(model_, parts_.contacts.rows(), scheme, d, ledger_);
+    ledger_.numerical_flow += parts_.search.ended();
   }
   ledger_.ahead = scheme.bond_ahead;
   double gained = start ? parts_.energies().own() - start->own() : 0;

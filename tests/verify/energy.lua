@@ -149,3 +149,30 @@ for _, n in ipairs { 1, 4 } do
   end
   talus.check.below(name .. ": unexplained", math.abs(e.unexplained)/e.scale, 5e-3)
 end
+
+-- Soft polygons that hit a floor and each other at 10 m/s and strain by a tenth: corners so deep slide off the ends of faces pressed, and what
+-- their contacts store is lost. Up to 1.7 % of the scale, by how many of them do.
+local function stones(seed)
+  local function random() seed = (seed*16807) % 2147483647; return seed/2147483647 end
+  local list = {}
+  for i = 0, 3 do
+    for j = 0, 3 do
+      local x, y, corners, turn, stone = 1.3*i + 0.1*random(), 1 + 1.3*j + 0.1*random(), 4 + math.floor(4*random()), 6*random(), {}
+      for k = 1, corners do stone[k] = { x + 0.55*math.cos(turn + 2*math.pi*k/corners), y + 0.55*math.sin(turn + 2*math.pi*k/corners) } end
+      list[#list + 1] = stone
+    end
+  end
+  return list
+end
+for _, seed in ipairs { 5, 9 } do
+  local soft = talus.material { name = "soft", density = 2500, young = 10*u.MPa, poisson = 0.2 }
+  local pile = talus.simulation {
+    gravity = {0, -g}, contact = joint(30),
+    regions = { talus.region { name = "floor", outline = talus.rect(-50, -3, 50, 0), material = soft, held = true },
+                talus.region { name = "stones", blocks = stones(seed), material = soft, velocity = {0, -10} } },
+    time = { mode = "dynamic", t_end = 0.3, dt = 1e-4 },
+  }
+  local most = 0
+  for _ in pile:steps() do most = math.max(most, math.abs(pile.energy.unexplained)/pile.energy.scale) end
+  talus.check.below("soft stones of seed " .. seed .. ", piled at 10 m/s: unexplained, most", most, 3e-3)
+end
