@@ -182,7 +182,7 @@ void drop_twins(const NearPair& pair, size_t first, std::vector<Contact>& found)
         ++other;
         continue;
       }
-      if (pair.loaded_before(found[other]) && !pair.loaded_before(found[c])) found[c] = found[other];
+      if (pair.loaded_before(found[other].key()) && !pair.loaded_before(found[c].key())) found[c] = found[other];
       found.erase(found.begin() + long(other));
     }
 }

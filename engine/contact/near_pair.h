@@ -138,17 +138,12 @@ class NearPair {
 
   static bool looks_away(const Face& far, const Face& face) { return far.normal.dot(face.normal) < -0.9; }
 
-  bool loaded_before(const Contact& c) const {
+  bool loaded_before(std::int64_t key) const {  // Contact::key
     const std::span<const Contact> before = model_.awake_contacts();
-    const auto same = std::lower_bound(before.begin(), before.end(), c.key(), [](const Contact& old, std::int64_t key) { return old.key() < key; });
-    return same != before.end() && same->key() == c.key() && same->state != ContactState::open;
+    const auto same = std::lower_bound(before.begin(), before.end(), key, [](const Contact& old, std::int64_t sought) { return old.key() < sought; });
+    return same != before.end() && same->key() == key && same->state != ContactState::open;
   }
-  bool loaded_before(int bv, int v, int be, int e) const {
-    Contact c;
-    c.global_vertex = global(bv, v);
-    c.global_edge = global(be, e);
-    return loaded_before(c);
-  }
+  bool loaded_before(int bv, int v, int be, int e) const { return loaded_before(Contact::key(global(bv, v), global(be, e))); }
 
   // Whether a face of one block has all of the other so far in front of it that nothing meets. Of blocks as parts of bodies, and where corners
   // are met on their way, that does not say so.

@@ -202,7 +202,8 @@ struct Contact {
     stretch = held;
   }
   double stored() const { return normal_force * normal_force / (2 * normal_stiffness) + shear_force * shear_force / (2 * shear_stiffness); }  // J/m
-  std::int64_t key() const { return (std::int64_t(global_vertex) << 32) | std::uint32_t(global_edge); }
+  static std::int64_t key(int global_vertex, int global_edge) { return (std::int64_t(global_vertex) << 32) | std::uint32_t(global_edge); }
+  std::int64_t key() const { return key(global_vertex, global_edge); }
   int global_vertex = 0, global_edge = 0;  // indices into Model::vertex
 };
 
