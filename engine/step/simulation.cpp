@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "equations/recovery.h"
 #include "fracture/snap_back.h"
@@ -13,6 +14,7 @@
 #include "step/part_timer.h"
 #include "step/peaks.h"
 #include "step/step.h"
+#include "step/update.h"
 
 namespace talus {
 
@@ -55,6 +57,7 @@ StepReport Simulation::step() {
 void Simulation::take_step() {
   begin();
   book_change();
+  refuse_driven_in();
   const long factors = totals.factorisations;
   last = half_steps_ ? half_steps_->step()
          : plan.dynamic ? stepper_->dynamic_step()
@@ -70,6 +73,15 @@ void Simulation::take_step() {
   if (plan.dynamic) keep_peaks(model);
   last.closed_contacts = parts_->closed_contacts();
   totals.end_step(totals.steps == 1 || finished());
+}
+
+void Simulation::refuse_driven_in() const {
+  const Contact* const c = driven_in(model);
+  if (c == nullptr) return;
+  char depth[32];
+  std::snprintf(depth, sizeof depth, "%.3g", c->normal_force / c->normal_stiffness);
+  throw RunError("t = " + std::to_string(model.time) + " s: " + block_name(model, c->i) + " is pressed in by " + depth + " m where it meets " + block_name(model, c->j) +
+                 ", more than a tenth of the smaller one's size: what is driven against it cannot give way; stop it earlier, or let blocks deform");
 }
 
 // Load steps are even parts of t_end; bonds that fail, and increments cut short because one will, come between.

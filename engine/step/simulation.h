@@ -74,6 +74,7 @@ class Simulation {
   template <class Visitor>
   Visitor visited() const;  // by a visitor that only reads
   void take_step();
+  void refuse_driven_in() const;
   void begin_ledger();
   void book_change();
   std::string settle();  // equilibrium, with the initial velocities kept; what is to be said where there is none

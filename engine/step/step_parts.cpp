@@ -29,7 +29,7 @@ void StepParts::assemble(const Scheme& scheme, const ContactChoice& choice) {
   prepare_bonds();
   poses.predict(model, scheme);
   const Choice choice_now{scheme.dt, choice.pressed, !choice.nearness.empty()};
-  linked_as_before_ = scheme.dt > 0 && search.found_as_before() && islands.all_rest() && !choice_now.widened && choice_now == chosen_;
+  linked_as_before_ = scheme.dt > 0 && !fracture && search.found_as_before() && islands.all_rest() && !choice_now.widened && choice_now == chosen_;
   chosen_ = choice_now;
   if (!linked_as_before_) link(scheme, choice);
   system.clear(model);

@@ -35,7 +35,7 @@ class StepParts {
   // What hangs on materials and bonds alone, where the script has changed them since.
   void prepare_bonds();
   // K d = f for everything but contacts and softening bonds, and the contacts' rows. Where a step in motion begins as the last one did, in which
-  // nothing moved, rows, pattern and islands are those of that.
+  // nothing moved, rows, pattern and islands are those of that; not where bonds fail, as a script's law of what they leave may go by the time.
   void assemble(const Scheme& scheme, const ContactChoice& choice);
   // dt = 0: equilibrium.
   IslandResult solve(double dt, double most_effort, Vector& d);

@@ -65,4 +65,12 @@ bool crushed(const Model& model, int block, const BlockState& to) {
   return now < least && now < left(model.blocks[block].strain);
 }
 
+const Contact* driven_in(const Model& model) {
+  constexpr double most = 0.1;  // of √area
+  const auto found = std::ranges::find_if(model.contacts, [&](const Contact& c) {
+    return c.normal_force > most * c.normal_stiffness * std::min(model.shapes[c.i].length, model.shapes[c.j].length);
+  });
+  return found == model.contacts.end() ? nullptr : &*found;
+}
+
 }  // namespace talus

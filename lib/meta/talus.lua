@@ -471,7 +471,7 @@ function talus.simulation(fields) end
 ---@class talus.time
 ---@field mode? "dynamic"|"static" `static` solves for equilibrium
 ---@field t_end? number s; >= 0; end, > 0 in dynamic mode; static: load histories run from 0 to it, and velocities of a `fix` act so long
----@field steps? integer in [1, 1000000]; static: load steps; where bonds can fail, what is held moves by more than displacement_ratio in one, or what slides turns round, more are put between them
+---@field steps? integer in [1, 1000000]; static: load steps; where bonds can fail, or what is held moves by more than displacement_ratio in one, more are put between them
 ---@field dt? number s; > 0; fixed time step
 ---@field dt_min? number s; > 0; least step; below it the run stops with an error
 ---@field dt_max? number s; > 0; largest step

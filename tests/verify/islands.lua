@@ -141,3 +141,21 @@ for _, act in ipairs(acts) do
   check.truth(name .. " on what rests: it moves", after ~= before)
   check.above(name .. ": steps at rest before", at_rest, steps - 4)
 end
+
+-- Nor does what a failed bond leaves stay as it was where the script's law of it goes by the time: 40° on a slope of 20°, from 2 s on 5°.
+local sim
+local glue = talus.joint { name = "glue", friction = math.rad(40), cohesion = 200, tension = 20,
+  reduction = function() return { friction = math.rad((sim and sim.time >= 2) and 5 or 40), cohesion = 0, tension = 0 } end }
+local slope = math.rad(20)
+sim = talus.simulation {
+  gravity = {9.81*math.sin(slope), -9.81*math.cos(slope)}, contact = talus.joint { name = "bare", friction = math.rad(10) },
+  regions = { talus.region { name = "halves", bonded = true, joint = glue, material = rock, blocks = { talus.rect(0, 0, 1, 1), talus.rect(0, -1, 1, 0) } } },
+  fix = { talus.fix { region = "halves", on = "bottom" } },
+  loads = { talus.point_load { region = "halves", at = {1, 0.2}, force = { { {0, 0}, {0.01, 2e4}, {0.012, 0} }, 0 } } },
+  time = { mode = "dynamic", t_end = 3, dt = 1e-3 }, numerics = { damping = talus.damping.velocity { rate = 60 } },
+}
+for _ = 1, 1990 do sim:step() end
+local stood, at_rest = sim.blocks[1].ux, sim.totals.steps_at_rest
+sim:run()
+check.above("friction that a law lowers with time on what rests: it slides, m", sim.blocks[1].ux - stood, 1e-2)
+talus.check.above("friction that a law lowers with time: steps at rest before", at_rest, 100)

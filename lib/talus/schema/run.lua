@@ -63,7 +63,7 @@ return {
         default_doc = "static: 1; dynamic: required",
         doc = "end, > 0 in dynamic mode; static: load histories run from 0 to it, and velocities of a `fix` act so long" },
       { name = "steps", type = "integer", least = 1, most = 1000000, default = 1,
-        doc = "static: load steps; where bonds can fail, what is held moves by more than displacement_ratio in one, or what slides turns round, more are put between them" },
+        doc = "static: load steps; where bonds can fail, or what is held moves by more than displacement_ratio in one, more are put between them" },
       { name = "dt", type = "number", above = 0, unit = "s", default_doc = "automatic", doc = "fixed time step" },
       { name = "dt_min", type = "number", above = 0, unit = "s", default_doc = "1e-6 of the first step",
         doc = "least step; below it the run stops with an error" },
