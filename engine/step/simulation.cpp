@@ -81,7 +81,7 @@ void Simulation::refuse_driven_in() const {
   char depth[32];
   std::snprintf(depth, sizeof depth, "%.3g", c->normal_force / c->normal_stiffness);
   throw RunError("t = " + std::to_string(model.time) + " s: " + block_name(model, c->i) + " is pressed in by " + depth + " m where it meets " + block_name(model, c->j) +
-                 ", more than a tenth of the smaller one's size: what is driven against it cannot give way; stop it earlier, or let blocks deform");
+                 ", more than a tenth of the smaller one's size: what is driven there cannot give way, or joint.stiffness is too little for what it bears");
 }
 
 // Load steps are even parts of t_end; bonds that fail, and increments cut short because one will, come between.
