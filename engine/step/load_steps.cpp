@@ -18,6 +18,7 @@ constexpr double least_increment = 1e-6;  // part of t_end
 constexpr double most_bend = 0.01;
 constexpr double least_bend = 1e-6;  // part of the ledger's scale: what moves along free is not looked at so closely
 constexpr double finest_increment = 1.0 / 256;
+constexpr double same_bend = 0.01;  // part, by which two parts of a load step are off alike: a jump of loads, which no part resolves
 // Bounds of a load step, so that it ends whatever its contacts and bonds do. What stands is found in some hundreds of
 // solves, also where bonds soften near their limit.
 constexpr int most_search_solves = 1000;  // of one look for equilibrium
@@ -80,10 +81,8 @@ StepReport LoadSteps::take(double to, bool first) {
   return due.empty() ? raise_load(to, first) : break_bonds(due);
 }
 
-// Where no bond can fail. What slides to and fro in it is followed to where it turns round, in parts. What a quarter of the way leaves
-// unexplained as the whole did is a jump of loads, which no part resolves.
+// Where no bond can fail. What slides to and fro in it is followed to where it turns round, in parts.
 StepReport LoadSteps::load(double to, bool first) {
-  constexpr double same = 0.01;
   const bool moving = moves_supports(model_.scene);  // the script may have let one go since the plan was made
   const bool slides = plan_.contacts && loads_change(model_.scene);
   const double target = plan_.contacts && moving ? reachable(to) : to;
@@ -91,8 +90,11 @@ StepReport LoadSteps::load(double to, bool first) {
   double from = model_.time, until = target, left = 0;  // left: J/m, unexplained by the last attempt that was thrown away
   for (;;) {
     std::optional<Restored> attempt;
-    if (slides) attempt.emplace(model_);
-    const Closure closure(model_, parts_.joints, {});
+    std::optional<Closure> closure;
+    if (slides) {
+      attempt.emplace(model_);
+      closure.emplace(model_, parts_.joints, std::vector<int>{});
+    }
     model_.time = until;
     const LoadStepBooking booking(model_, parts_.supports, from, first);
     const Ledger before = ledger_;
@@ -100,8 +102,8 @@ StepReport LoadSteps::load(double to, bool first) {
     search.in_place = !moving;
     if (!equilibrium_.balance(search)) equilibrium_.give_up(search);
     book(booking, first);
-    const double off = slides ? closure.work(model_, ledger_.friction_work - before.friction_work) : 0;
-    if (std::abs(off) > bend_allowed(before, ledger_) && std::abs(off - left) > same * std::abs(off) && may_quarter(until - from)) {
+    const double off = closure ? closure->work(model_, ledger_.friction_work - before.friction_work) : 0;
+    if (std::abs(off) > bend_allowed(before, ledger_) && std::abs(off - left) > same_bend * std::abs(off) && may_quarter(until - from)) {
       left = off;
       ledger_ = before;
       until = from + (until - from) / 4;

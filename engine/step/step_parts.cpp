@@ -28,9 +28,9 @@ void StepParts::assemble(const Scheme& scheme, const ContactChoice& choice) {
   StepTimer timer(totals, "assembly");
   prepare_bonds();
   poses.predict(model, scheme);
-  const Choice choice_now{scheme.dt, choice.pressed, !choice.nearness.empty()};
-  linked_as_before_ = scheme.dt > 0 && !fracture && search.found_as_before() && islands.all_rest() && !choice_now.widened && choice_now == chosen_;
-  chosen_ = choice_now;
+  const bool plain = scheme.dt > 0 && !fracture && choice.pressed == ContactTerms::least_pressed && choice.nearness.empty();
+  linked_as_before_ = plain && plain_ && search.found_as_before() && islands.all_rest();  // of the same dt, as the search was
+  plain_ = plain;
   if (!linked_as_before_) link(scheme, choice);
   system.clear(model);
   add_block_terms(model, poses, scheme, system);
@@ -75,7 +75,7 @@ IslandResult StepParts::solve(double dt, double most_effort, Vector& d) {
   totals.pivots += result.pivots;
   totals.factorisations += result.factorisations;
   totals.largest_iterations = std::max(totals.largest_iterations, result.iterations);
-  if (motion && islands.all_rest())
+  if (plain_ && islands.all_rest())
     at_rest_ = {system.force, system.force_scale, system.force_rounding};
   else
     at_rest_ = {};

@@ -86,14 +86,9 @@ class StepParts {
   void link(const Scheme& scheme, const ContactChoice& choice);
   bool balances_as_before() const;
 
-  struct Choice {  // of the last assembly
-    double dt = -1, pressed = 0;
-    bool widened = false;
-    bool operator==(const Choice&) const = default;
-  };
-  Choice chosen_;
+  bool plain_ = false;  // the last assembly was one that may serve again: see assemble()
   bool linked_as_before_ = false;
-  struct {  // of the last solution, if nothing moved in it
+  struct {  // of the last solution of such a one, if nothing moved in it
     Vector force;
     std::vector<double> scale, rounding;
   } at_rest_;

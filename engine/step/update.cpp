@@ -67,10 +67,11 @@ bool crushed(const Model& model, int block, const BlockState& to) {
 
 const Contact* driven_in(const Model& model) {
   constexpr double most = 0.1;  // of √area
-  const auto found = std::ranges::find_if(model.contacts, [&](const Contact& c) {
+  const auto contacts = model.awake_contacts();
+  const auto found = std::ranges::find_if(contacts, [&](const Contact& c) {
     return c.normal_force > most * c.normal_stiffness * std::min(model.shapes[c.i].length, model.shapes[c.j].length);
   });
-  return found == model.contacts.end() ? nullptr : &*found;
+  return found == contacts.end() ? nullptr : &*found;
 }
 
 }  // namespace talus

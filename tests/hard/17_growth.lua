@@ -1,6 +1,6 @@
 -- 17. 10 to 1e5 blocks: time per step grows with exponent ≤ 1.05 flying, ≤ 1.4 at rest with the factor kept, ≤ 1.6 refactoring
 -- (bare CHOLMOD: 1.36 solve, 1.54 factor). Exponents between the two largest sizes and over the whole range.
--- At rest: walls of bricks that stand. Refactoring: the same walls, each brick in motion and every step solved with factors (solver = "factor");
+-- At rest: walls of bricks that stand, in whose steps nothing is solved. Refactoring: the same walls, each brick in motion and every step solved with factors (solver = "factor");
 -- the time is that of a step over its factorisations, whose number is not the solver's growth.
 -- Source: operation counts of nested dissection. Run: scripts/run tests/hard/17_growth.lua -p full=true
 -- Full only.
