@@ -3,6 +3,7 @@
 // at most four of them, whatever the sizes of the others.
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "model/model.h"
@@ -18,8 +19,8 @@ struct Box {
   Box grown(double margin) const { return {low - Vec2(margin, margin), high + Vec2(margin, margin)}; }
 };
 
-// Of a block, grown by its motion at `velocity` in `dt` and by search_margin of its length.
-Box swept_box(const Model& model, int block, const std::array<double, max_dofs>& velocity, double dt);
+// Of a block, grown by its motion in `dt`, of which the first three rates are asked for, and by search_margin of its length.
+Box swept_box(const Model& model, int block, std::span<const double> velocity, double dt);
 
 class BoxGrid {
  public:

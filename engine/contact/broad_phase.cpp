@@ -14,7 +14,7 @@ constexpr double steps_ahead = 6, wider = search_margin / 2;
 
 }  // namespace
 
-Box swept_box(const Model& model, int block, const std::array<double, max_dofs>& v, double dt) {
+Box swept_box(const Model& model, int block, std::span<const double> v, double dt) {
   const BlockShape& shape = model.shapes[block];
   Box box{model.vertex[shape.vertex_begin], model.vertex[shape.vertex_begin]};
   for (int k = shape.vertex_begin; k < shape.vertex_end; ++k) {

@@ -102,8 +102,7 @@ class OnTheWay {
       const Vec3 strain = (to.strain - from.strain) * length / dt;
       const double turn = (to.angle - from.angle) * length / dt;
       for (int k = 0; k < first_order_dofs; ++k) from.velocity[k] = k < 2 ? shift[k] : k == 2 ? turn : strain[k - 3];
-      for (int k = first_order_dofs; k < model.shapes[b].rate_count(); ++k)
-        from.velocity[k] = (to.bend[k - first_order_dofs] - from.bend[k - first_order_dofs]) / dt;
+      for (size_t k = 0; from.bend && k < from.bend->size(); ++k) from.velocity[first_order_dofs + k] = ((*to.bend)[k] - (*from.bend)[k]) / dt;
     }
   }
   OnTheWay(const OnTheWay&) = delete;
@@ -114,7 +113,7 @@ class OnTheWay {
 
  private:
   Model& model_;
-  std::vector<std::pair<int, std::array<double, max_dofs>>> kept_;
+  std::vector<std::pair<int, Rates>> kept_;
 };
 
 }  // namespace
@@ -205,7 +204,7 @@ bool ContactSearch::unmoved(const Model& model, double dt) {
   for (const int k : model.awake_blocks()) {
     const BlockState& b = model.blocks[k];
     see(std::array{b.shift.x(), b.shift.y(), b.angle, b.strain[0], b.strain[1], b.strain[2]});
-    if (model.shapes[k].second_order()) see(b.bend);
+    if (b.bend) see(*b.bend);
   }
   see(std::array{double(model.revision), double(model.sleep_changes)});
   same = same && count == seen_.size();

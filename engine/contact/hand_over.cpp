@@ -205,7 +205,7 @@ void forgive_depth(Model& model, double dt) {
 void lie_as_pressed(Model& model, double dt) {
   const auto rests = [&](int block, double rounding) {
     const auto& v = model.blocks[block].velocity;
-    return std::all_of(v.begin(), v.begin() + model.shapes[block].rate_count(), [&](double rate) { return std::abs(rate) * dt <= rounding; });
+    return std::ranges::all_of(v, [&](double rate) { return std::abs(rate) * dt <= rounding; });
   };
   for (Contact& c : model.awake_contacts()) {
     if (c.lies && dt > 0 && stands_still(model, c.i) && stands_still(model, c.j)) continue;

@@ -113,21 +113,6 @@ void BlockMatrix::multiply(const Vector& x, Vector& y) const {
     }
 }
 
-double BlockMatrix::form(const Vector& x, const Vector& y) const {
-  double sum = 0;
-  for (const int b : with_entries_)
-    for (int j = begin_[b]; j < begin_[b + 1]; ++j) {
-      const int diagonal = column_begin_[j + 1] - 1;
-      double kx = 0, ky = 0;
-      for (int k = column_begin_[j]; k < diagonal; ++k) {
-        kx += values[k] * x[row_index_[k]];
-        ky += values[k] * y[row_index_[k]];
-      }
-      sum += x[j] * ky + y[j] * kx + values[diagonal] * x[j] * y[j];
-    }
-  return sum;
-}
-
 int BlockMatrix::block_of_unknown(int unknown) const {
   return int(std::upper_bound(begin_.begin(), begin_.end(), unknown) - begin_.begin()) - 1;
 }

@@ -44,11 +44,22 @@ class BlockMatrix {
   // K(row, column) += factor * u vᵀ for contact rows.
   void add_outer(const Slot& slot, double factor, const double* u, const double* v);
 
-  void clear() { std::fill(values.begin(), values.end(), 0.0); }
+  // The columns of a block: nought but for m on the diagonal, of which the upper triangle is read.
+  template <typename Derived>
+  void begin(int block, const Eigen::MatrixBase<Derived>& m) {
+    const int size = sizes_[size_t(block)], above = above_[size_t(block)];
+    double* to = &values[size_t(column_begin_[size_t(begin_[size_t(block)])])];
+    for (int j = 0; j < size; ++j) {
+      to = std::fill_n(to, above, 0.0);
+      for (int i = 0; i <= j; ++i) *to++ = m(i, j);
+    }
+  }
   // y += K x
   void multiply(const Vector& x, Vector& y) const;
-  // x·K y; of blocks without entries nothing is read.
-  double form(const Vector& x, const Vector& y) const;
+  // The part of x·K y that the columns of a block with entries hold, and those rows that mirror them. own: the block's x and y, as a pair of
+  // what can be indexed; others(block): those of one that it is coupled to.
+  template <class Pair, class Others>
+  double form(int block, const Pair& own, Others&& others) const;
 
   // The submatrix on the diagonal, both triangles; `m` has at least the block's size.
   template <typename Derived>
@@ -103,5 +114,34 @@ class BlockMatrix {
   std::vector<int> pair_offset_, above_;     // rows above a pair's submatrix in the column; above a block's own
   std::vector<int> column_begin_, row_index_;
 };
+
+template <class Pair, class Others>
+double BlockMatrix::form(int block, const Pair& own, Others&& others) const {
+  const int size = sizes_[size_t(block)], above = above_[size_t(block)];
+  const double* const first = &values[size_t(column_begin_[size_t(begin_[size_t(block)])])];
+  const auto column = [&](int j) { return first + j * above + j * (j + 1) / 2; };
+  const auto& [x, y] = own;
+  double sum = 0;
+  const auto add = [&](const double* entries, int rows, const auto& beside, int j) {
+    const auto& [beside_x, beside_y] = beside;
+    double kx = 0, ky = 0;
+    for (int i = 0; i < rows; ++i) {
+      kx += entries[i] * beside_x[i];
+      ky += entries[i] * beside_y[i];
+    }
+    sum += x[j] * ky + y[j] * kx;
+  };
+  for (int j = 0; j < size; ++j) {
+    const double* const entries = column(j) + above;
+    add(entries, j, own, j);
+    sum += entries[j] * x[j] * y[j];
+  }
+  for (int p = pair_begin_[size_t(block)]; p < pair_begin_[size_t(block) + 1]; ++p) {
+    const int row = pairs_[size_t(p)].second;
+    const auto beside = others(row);
+    for (int j = 0; j < size; ++j) add(column(j) + pair_offset_[size_t(p)], sizes_[size_t(row)], beside, j);
+  }
+  return sum;
+}
 
 }  // namespace talus

@@ -87,10 +87,11 @@ double moment_of_inertia(const Model& model, int block, const Vec3& e) {
          (stretch * moments * stretch.transpose()).trace();
 }
 
-double moment_of_inertia(const Model& model, int block, const Vec3& e, const BendArray& b) {
+double moment_of_inertia(const Model& model, int block, const Vec3& e, const Apart<BendArray>& bend) {
   const double unbent = moment_of_inertia(model, block, e);
+  if (!bend) return unbent;
   const BlockShape& shape = model.shapes[block];
-  if (!shape.second_order()) return unbent;
+  const BendArray& b = *bend;
   const BendMoments m = bend_moments(model, shape);
   const Vec3 along_x(b[0], b[1], b[2]), along_y(b[3], b[4], b[5]);
   // 2 ∫ (I + e)X·q + ∫ q·q
@@ -151,8 +152,8 @@ void add_block_terms(const Model& model, const Poses& poses, const Scheme& schem
         if constexpr (n > first_order_dofs) {
           const MatrixOf<6> bending = bend_stiffness(shape, d);
           k.template bottomRightCorner<6, 6>() += scheme.bond_d * bending;
-          const Vec6 bend = Eigen::Map<const Vec6>(pose.bend.now.data()) +
-                            scheme.bond_v * Eigen::Map<const Vec6>(pose.bend.rate.data());
+          const Vec6 bend = Eigen::Map<const Vec6>(pose.bend->now.data()) +
+                            scheme.bond_v * Eigen::Map<const Vec6>(pose.bend->rate.data());
           f.template tail<6>() = spin * spin * shape.length * (mass.row(3) + mass.row(4)).template tail<6>().transpose() -
                                  initial_bend_force(model, b) - bending * bend;
         }
@@ -160,7 +161,7 @@ void add_block_terms(const Model& model, const Poses& poses, const Scheme& schem
       for (int i = 0; i < shape.dofs; ++i)  // mass couples all; a rigid block keeps its first three
         system.force[shape.dof_begin + i] += f[i];
       system.force_scale[b] += f.norm();
-      system.matrix.add(system.matrix.slot(b, b), false, k);
+      system.matrix.begin(b, k);
     });
   }
 }

@@ -23,7 +23,7 @@ Vec6 initial_bend_force(const Model& model, int block);
 
 // ρ/l² ∫ |x|² over the block strained by e, and bent (kg/m): its moment of inertia in units of the rotation unknown.
 double moment_of_inertia(const Model& model, int block, const Vec3& e);
-double moment_of_inertia(const Model& model, int block, const Vec3& e, const BendArray& bend);
+double moment_of_inertia(const Model& model, int block, const Vec3& e, const Apart<BendArray>& bend);
 
 // External force per area on a block, N/m2: gravity and its region's body force at time `t`.
 Vec2 body_force(const Model& model, int region, double density, double t);

@@ -87,11 +87,11 @@ void move_held_blocks(Model& model, double dt) {
     const auto now = held_velocity(model, b, dt);
     auto& faster = model.held_faster.emplace_back();
     for (size_t k = 0; k < faster.size(); ++k) faster[k] = now[k] - velocity[k];
-    velocity = now;
+    std::ranges::copy(now, velocity.begin());
   }
 }
 
-std::array<double, max_dofs> held_velocity(const Model& model, int block, double dt) {
+std::array<double, rigid_dofs> held_velocity(const Model& model, int block, double dt) {
   if (model.held_by[block] < 0 || dt == 0) return {};
   const Fixity& fixity = model.scene.fixities[model.held_by[block]];
   const Vec2 v = (fixity.moved(model.time + dt) - model.blocks[block].shift) / dt;

@@ -8,7 +8,7 @@ namespace talus {
 
 // Gives wholly held blocks the velocity that takes them to where their fixity wants them at the step's end.
 void move_held_blocks(Model& model, double dt);
-std::array<double, max_dofs> held_velocity(const Model& model, int block, double dt);
+std::array<double, rigid_dofs> held_velocity(const Model& model, int block, double dt);
 
 // Equilibrium: held blocks where their fixity wants them at Model::time. What touches them slides by as much.
 void place_held_blocks(Model& model);

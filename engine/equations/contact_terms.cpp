@@ -78,13 +78,11 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     row.size_i = shape_i.dofs;
     row.size_j = shape_j.dofs;
     const bool second = shape_i.second_order() || shape_j.second_order();
-    double approach = 0, sliding = 0;
     with_size(second, [&](auto n) {
       set_rows<n>(model, contact, poses, at, foot, span, along, row);
-      const double *vi = model.blocks[contact.i].velocity.data(), *vj = model.blocks[contact.j].velocity.data();
-      approach = dot(row.normal_i, vi, n) + dot(row.normal_j, vj, n);
-      sliding = dot(row.shear_i, vi, n) + dot(row.shear_j, vj, n);
     });
+    const Rates &vi = model.blocks[contact.i].velocity, &vj = model.blocks[contact.j].velocity;
+    const double approach = dot(row.normal_i, vi) + dot(row.normal_j, vj), sliding = dot(row.shear_i, vi) + dot(row.shear_j, vj);
     row.gap0 = gap + contact.offset + scheme.contact_v * approach + scheme.bond_ahead * normal.dot(model.rising(contact.i) - model.rising(contact.j));
     if (contact.lies) row.gap0 = scheme.dt * approach - contact.normal_force / contact.normal_stiffness;
     row.rounding = contact.lies ? 0 : rounding_of_gap(model, contact);

@@ -36,7 +36,7 @@ void each_point(const Model& model, int block, F f) {
 Vec3 strain_at(const Model& model, int block, const Vec2& in_block) {
   const BlockShape& shape = model.shapes[block];
   const BlockState& state = model.blocks[block];
-  return shape.second_order() ? Vec3(state.strain + shape.bend().strain(in_block, state.bend)) : state.strain;
+  return shape.second_order() ? Vec3(state.strain + shape.bend().strain(in_block, *state.bend)) : state.strain;
 }
 
 }  // namespace

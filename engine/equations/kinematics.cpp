@@ -7,16 +7,15 @@ namespace talus {
 namespace {
 
 void bend(const BlockShape& shape, const BlockState& state, double seconds, PoseBend& bend) {
-  bend.there = true;
   bend.shape = shape.bend();
   std::copy_n(&state.velocity[first_order_dofs], bend.rate.size(), bend.rate.begin());
-  for (size_t k = 0; k < bend.now.size(); ++k) bend.now[k] = state.bend[k] + seconds * bend.rate[k];
+  for (size_t k = 0; k < bend.now.size(); ++k) bend.now[k] = (*state.bend)[k] + seconds * bend.rate[k];
 }
 
 }  // namespace
 
 Vec2 Pose::bent(const Vec2& in_block, const BendArray& b) const {
-  return rotation.turn(bend.shape.displacement(in_block, b));
+  return rotation.turn(bend->shape.displacement(in_block, b));
 }
 
 Pose flown(const Model& model, int block, double seconds) {
@@ -24,25 +23,29 @@ Pose flown(const Model& model, int block, double seconds) {
 }
 
 Pose flown(const BlockShape& shape, const BlockState& state, double seconds) {
+  Pose pose;
+  fly(shape, state, seconds, pose);
+  return pose;
+}
+
+void fly(const BlockShape& shape, const BlockState& state, double seconds, Pose& pose) {
   const double per_length = seconds / shape.length;
   const auto& v = state.velocity;
-  Pose pose;
   pose.shift = state.shift + seconds * Vec2(v[0], v[1]);
   pose.centroid = shape.reference_centroid + pose.shift;
   pose.rotation = Rotation::of(state.angle + shape.turn(per_length * v[2]));
   pose.strain = state.strain + per_length * Vec3(v[3], v[4], v[5]);
   pose.length = shape.length;
   std::copy_n(v.begin(), first_order_dofs, pose.velocity.begin());
-  if (shape.second_order()) bend(shape, state, seconds, pose.bend);
-  return pose;
+  if (state.bend) bend(shape, state, seconds, pose.bend.make());
 }
 
 void Poses::predict(const Model& model, const Scheme& scheme) {
   blocks.resize(model.blocks.size());
   vertex.resize(model.reference_vertex.size());
   for (const int b : model.awake_blocks()) {
-    blocks[b] = flown(model, b, scheme.mid);
     const BlockShape& shape = model.shapes[b];
+    fly(shape, model.blocks[b], scheme.mid, blocks[b]);
     for (int i = shape.vertex_begin; i < shape.vertex_end; ++i)
       vertex[i] = shape.second_order() ? blocks[b].polygon_vertex(model.reference_vertex[i], model.corner_bend[i])
                                        : blocks[b].place<first_order_dofs>(model.reference_vertex[i]);

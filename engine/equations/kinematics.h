@@ -11,22 +11,10 @@ namespace talus {
 using FirstRow = std::array<double, first_order_dofs>;
 using Row = std::array<double, max_dofs>;
 
-// What a second-order block's pose has beside; of others nothing is set, and nothing copied.
+// What a second-order block's pose has beside.
 struct PoseBend {
-  bool there = false;
   Bend shape;
   BendArray now, rate;  // m, m/s
-
-  PoseBend() {}  // NOLINT(modernize-use-equals-default): = default would set to nought what is not there
-  PoseBend(const PoseBend& other) { *this = other; }  // NOLINT(cppcoreguidelines-pro-type-member-init)
-  PoseBend& operator=(const PoseBend& other) {
-    there = other.there;
-    if (!there) return *this;
-    shape = other.shape;
-    now = other.now;
-    rate = other.rate;
-    return *this;
-  }
 };
 
 // What has a size asks for the bend only where second-order blocks may be among others: n = first_order_dofs says there are
@@ -37,7 +25,7 @@ struct Pose {
   Vec3 strain;     // block axes
   double length;   // m, the block's scale
   std::array<double, first_order_dofs> velocity;
-  PoseBend bend;
+  Apart<PoseBend> bend;
 
   template <int n = max_dofs>
   Vec2 place(const Vec2& in_block) const {
@@ -47,23 +35,23 @@ struct Pose {
     if constexpr (n == first_order_dofs)
       return straight;
     else
-      return bend.there ? Vec2(straight + bent(in_block, bend.now)) : straight;
+      return bend ? Vec2(straight + bent(in_block, bend->now)) : straight;
   }
   // Of the polygon that contacts see, of second order (model/corner_bend.h).
   Vec2 polygon_vertex(const Vec2& in_block, const Vec3& m) const {
-    return place<first_order_dofs>(in_block) + rotation.turn(Bend::sum(m, bend.now));
+    return place<first_order_dofs>(in_block) + rotation.turn(Bend::sum(m, bend->now));
   }
   // place - reference place, from displacements alone: (R - I) X + R (e X + q) + shift.
   template <int n = max_dofs>
   Vec2 displacement(const Vec2& in_block) const {
-    const double x = in_block.x(), y = in_block.y();
-    const Vec2 turned(rotation.c1 * x - rotation.s * y, rotation.s * x + rotation.c1 * y);
+    const double x = in_block.x(), y = in_block.y(), c1 = rotation.c1();
+    const Vec2 turned(c1 * x - rotation.s * y, rotation.s * x + c1 * y);
     const Vec2 linear(strain[0] * x + strain[2] / 2 * y, strain[2] / 2 * x + strain[1] * y);
     const Vec2 straight = shift + turned + rotation.turn(linear);
     if constexpr (n == first_order_dofs)
       return straight;
     else
-      return bend.there ? Vec2(straight + bent(in_block, bend.now)) : straight;
+      return bend ? Vec2(straight + bent(in_block, bend->now)) : straight;
   }
   // Derivative of the place of the material point now at `at`, along `direction`, by the unknowns: of place() above, so
   // that strain works on the undeformed arm (Shi 1988 takes the deformed one, which makes every stress wrong by its
@@ -85,7 +73,7 @@ struct Pose {
     if constexpr (n == first_order_dofs)
       return linear;
     else
-      return bend.there ? Vec2(linear + bent(in_block, bend.rate)) : linear;
+      return bend ? Vec2(linear + bent(in_block, bend->rate)) : linear;
   }
   DofRows rows(const Vec2& at) const {
     const FirstRow x = row(at, Vec2::UnitX()), y = row(at, Vec2::UnitY());
@@ -100,7 +88,7 @@ struct Pose {
   // undeformed arm strain and bend work, but turn about the centroid what is at `at`.
   template <int n>
   RowsOf<n> rows(const Vec2& in_block, const Vec2& at) const {
-    return rows<n>(in_block, at, bend.there && n > first_order_dofs ? bend.shape.monomials(in_block) : Vec3(0, 0, 0));
+    return rows<n>(in_block, at, bend && n > first_order_dofs ? bend->shape.monomials(in_block) : Vec3(0, 0, 0));
   }
   // The same of a vertex of the polygon that contacts see, whose bend has other monomials m (model/corner_bend.h).
   template <int n>
@@ -109,7 +97,7 @@ struct Pose {
       return rows(at);
     } else {
       RowsOf<n> t = RowsOf<n>::Zero();
-      if (!bend.there) {
+      if (!bend) {
         t.template leftCols<first_order_dofs>() = rows(at);
         return t;
       }
@@ -134,7 +122,7 @@ struct Pose {
     ColumnOf<n> v = ColumnOf<n>::Zero();
     v.template head<first_order_dofs>() = Eigen::Map<const DofColumn>(velocity.data());
     if constexpr (n > first_order_dofs)
-      if (bend.there) v.template tail<6>() = Eigen::Map<const Vec6>(bend.rate.data());
+      if (bend) v.template tail<6>() = Eigen::Map<const Vec6>(bend->rate.data());
     return v;
   }
 };
@@ -145,10 +133,13 @@ double dot(const std::array<double, n>& row, const double* values, int count) {
   for (int k = 0; k < count; ++k) sum += row[k] * values[k];
   return sum;
 }
+inline double dot(const Row& row, const Rates& rates) { return dot(row, rates.data(), int(rates.size())); }
 
-// Where a block gets in `seconds` by its own velocity: straight flight of the centroid, exact rotation.
+// Where a block gets in `seconds` by its own velocity: straight flight of the centroid, exact rotation. The last fills in a pose that is new, or
+// was that block's before.
 Pose flown(const BlockShape& shape, const BlockState& state, double seconds);
 Pose flown(const Model& model, int block, double seconds);
+void fly(const BlockShape& shape, const BlockState& state, double seconds, Pose& pose);
 
 // All that are awake at the configuration of linearisation.
 struct Poses {

@@ -239,13 +239,14 @@ Recovery::Fit Recovery::fit(const Model& model, int block, const Vec2& centre) c
   const int unknowns = 2 * terms + (with_cubic ? 4 : 0);
   // The fit is made in the block's turned axes, where the equations of elasticity hold.
   const Rotation turned = Rotation::of(model.blocks[block].angle);
+  const double c1 = turned.c1();
   Normal normal = Normal::Zero(unknowns, unknowns);
   MonomialRow right = MonomialRow::Zero(unknowns), u(unknowns), v(unknowns);
   for (const int corner : patch.corners) {
     const Vec2 place = corner_position_[corner] - at;
     const Vec2 p = place / patch.radius;
     const Vec2 moved = turned.back(corner_displacement_[corner]) +
-                       Vec2(turned.c1 * place.x() + turned.s * place.y(), -turned.s * place.x() + turned.c1 * place.y()) +
+                       Vec2(c1 * place.x() + turned.s * place.y(), -turned.s * place.x() + c1 * place.y()) +
                        turning * Vec2(p.x() * p.x() * p.x(), p.y() * p.y() * p.y());
     rows_at(p, terms, with_cubic, u, v);
     const double part = 1 - p.squaredNorm(), weight = part * part;

@@ -3,8 +3,8 @@
 namespace talus {
 
 Vec2 Side::varying_traction(const Vec2& in_block, double seconds) const {
-  const Bend& shape = pose.bend.shape;
-  const Vec3 strain = shape.strain(in_block, pose.bend.now) + seconds * shape.strain(in_block, pose.bend.rate);
+  const Bend& shape = pose.bend->shape;
+  const Vec3 strain = shape.strain(in_block, pose.bend->now) + seconds * shape.strain(in_block, pose.bend->rate);
   const Vec3 initial = quadratic->stress_x * in_block.x() + quadratic->stress_y * in_block.y();
   return pose.rotation.turn(traction_of(normal) * (initial + elasticity * strain));
 }

@@ -28,7 +28,7 @@ struct Side {
   // At a material point, `seconds` ahead: another from point to point in a second-order block.
   Vec2 traction_at(const Vec2& in_block, double seconds) const {
     const Vec2 mean = traction(strain_at(seconds));
-    return pose.bend.there ? Vec2(mean + varying_traction(in_block, seconds)) : mean;
+    return pose.bend ? Vec2(mean + varying_traction(in_block, seconds)) : mean;
   }
   Vec2 varying_traction(const Vec2& in_block, double seconds) const;
   // Weighted traction under unit unknowns.
@@ -46,9 +46,9 @@ struct Side {
     } else {
       RowsOf<n> s = RowsOf<n>::Zero();
       s.template leftCols<first_order_dofs>() = flux();
-      if (!pose.bend.there) return s;
+      if (!pose.bend) return s;
       const Eigen::Matrix<double, 2, 6> own =
-          weight * traction_of(normal) * elasticity * pose.bend.shape.strain_rows(in_block);
+          weight * traction_of(normal) * elasticity * pose.bend->shape.strain_rows(in_block);
       for (int k = 0; k < 6; ++k) s.col(first_order_dofs + k) = pose.rotation.turn(own.col(k));
       return s;
     }

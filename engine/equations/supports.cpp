@@ -118,7 +118,7 @@ Supports::Work Supports::work(const Model& model, const Poses& poses, const Sche
       };
       const BlockShape& shape = model.shapes[point.block];
       const ColumnOf<n> own = of_block<n>(shape, d);
-      const ColumnOf<n> v0 = Eigen::Map<const ColumnOf<n>>(model.blocks[point.block].velocity.data());
+      const ColumnOf<n> v0 = model.blocks[point.block].velocity.column<n>();
       const ColumnOf<n> step = scheme.step_v * v0 + scheme.move_d * own;
       const ColumnOf<n> w = scheme.bond_v * v0 + (scheme.bond_d - scheme.move_d / 2) * own;
       const Vec2 before = wanted(0) - held * flown(model, point.block, 0).displacement(point.in_block);

@@ -24,8 +24,8 @@ struct System {
   // What the rounding of displacements does to them (N): stiff bonds multiply it, and no iteration removes it.
   std::vector<double> force_rounding;
 
+  // But for the matrix, which add_block_terms() begins.
   void clear(const Model& model) {
-    matrix.clear();
     force.setZero(model.dofs);
     force_scale.assign(model.shapes.size(), 0.0);
     force_rounding.assign(model.shapes.size(), 0.0);

@@ -121,15 +121,15 @@ void each_viscous_traction(const Model& model, const Poses& poses, const LoadVis
   }
 }
 
-double viscous_form(const Model& model, const Poses& poses, const Vector& a, const Vector& b) {
+double viscous_form(const Model& model, const Poses& poses, const TwoOfBlock& of) {
   double sum = 0;
   for (const ViscousEdge& edge : model.viscous_edges) {
     if (model.sleeps(edge.block)) continue;
-    const BlockShape& shape = model.shapes[edge.block];
-    with_size(shape.second_order(), [&](auto n) {
+    const int dofs = model.shapes[edge.block].dofs;
+    const auto [a, b] = of(edge.block);
+    with_size(model.shapes[edge.block].second_order(), [&](auto n) {
       const MatrixOf<n> c = damping<n>(model, edge, poses.blocks[edge.block]);
-      sum += a.segment(shape.dof_begin, shape.dofs)
-                 .dot(c.topLeftCorner(shape.dofs, shape.dofs) * b.segment(shape.dof_begin, shape.dofs));
+      sum += a.head(dofs).dot(c.topLeftCorner(dofs, dofs) * b.head(dofs));
     });
   }
   return sum;

@@ -6,6 +6,9 @@
 // so that their work -C v_mid·ΔX is never positive and the matrix gets ½ velocity_d C. Beside them stay the tractions that the edges
 // carried in equilibrium: dashpots bear no weight.
 // In equilibrium the edges are held by stiff springs, whose forces are those tractions to the last bit.
+#include <functional>
+#include <utility>
+
 #include "equations/boundary_terms.h"
 
 namespace talus {
@@ -20,7 +23,8 @@ double viscous_hold_energy(const Model& model);  // J/m, of the springs
 // Each force (N/m) of the tractions that stay on a block that is awake, and where it acts.
 void each_viscous_traction(const Model& model, const Poses& poses, const LoadVisitor& visit);
 
-// Σ aᵀ C b of what is awake; a and b of all unknowns.
-double viscous_form(const Model& model, const Poses& poses, const Vector& a, const Vector& b);
+// Σ aᵀ C b of what is awake, with a and b block by block.
+using TwoOfBlock = std::function<std::pair<ColumnOf<max_dofs>, ColumnOf<max_dofs>>(int block)>;
+double viscous_form(const Model& model, const Poses& poses, const TwoOfBlock& of);
 
 }  // namespace talus

@@ -15,7 +15,7 @@ Vec2 stretched(const Vec3& strain, const Vec2& x) {
 // (I + e) X + q(X)
 Vec2 deformed(const BlockShape& shape, const BlockState& state, const Vec2& x) {
   if (!shape.second_order()) return stretched(state.strain, x);
-  return stretched(state.strain, x) + shape.bend().displacement(x, state.bend);
+  return stretched(state.strain, x) + shape.bend().displacement(x, *state.bend);
 }
 
 // The undeformed arm of the point that now lies at `arm`, in the block's axes: q is small beside X, so that each round
@@ -104,7 +104,7 @@ Vec3 Model::stress(int block, const Vec2& in_block) const {
   const BlockState& state = blocks[block];
   const QuadraticShape& quadratic = quadratic_shapes[shape.quadratic];
   const Vec3 initial = shape.initial_stress + quadratic.stress_x * in_block.x() + quadratic.stress_y * in_block.y();
-  const Vec3 strain = state.strain + shape.bend().strain(in_block, state.bend);
+  const Vec3 strain = state.strain + shape.bend().strain(in_block, *state.bend);
   return turn_stress(Rotation::of(state.angle), initial + elasticity(material(block)) * strain);
 }
 
@@ -136,7 +136,7 @@ void Model::place_vertices(int block) {
 
 Vec2 Model::vertex_at(int block, const BlockState& state, const Rotation& rotation, int v) const {
   const Vec2 at = state.centroid + rotation.turn(stretched(state.strain, reference_vertex[v]));
-  return shapes[block].second_order() ? Vec2(at + rotation.turn(Bend::sum(corner_bend[v], state.bend))) : at;
+  return shapes[block].second_order() ? Vec2(at + rotation.turn(Bend::sum(corner_bend[v], *state.bend))) : at;
 }
 
 void Model::changed() {

@@ -1,9 +1,11 @@
 #pragma once
 // The tables a run works on. Dense ids never change; one meaning an array, all run long.
 // Lengths in metres from Model::origin, forces in N per metre of thickness, stresses in Pa (tension positive).
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <ranges>
 #include <span>
 #include <string>
@@ -12,6 +14,7 @@
 
 #include "geometry/polygon.h"
 #include "geometry/vec2.h"
+#include "model/apart.h"
 #include "model/bend.h"
 #include "scene/scene.h"
 
@@ -45,44 +48,71 @@ decltype(auto) with_size(bool second_order, F&& f) {
 
 struct Rotation {
   double c = 1, s = 0;
-  double c1 = 0;  // c - 1, without cancellation
-  static Rotation of(double angle) {
-    const double half = std::sin(angle / 2);
-    return {std::cos(angle), std::sin(angle), -2 * half * half};
-  }
+  static Rotation of(double angle) { return {std::cos(angle), std::sin(angle)}; }
+  double c1() const { return c > 0 ? -s * s / (1 + c) : c - 1; }  // c - 1, without cancellation
   Vec2 turn(const Vec2& v) const { return {c * v.x() - s * v.y(), s * v.x() + c * v.y()}; }
   Vec2 back(const Vec2& v) const { return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()}; }
 };
 
-// Where a block is: what a step changes and a snapshot keeps.
-struct BlockState {  // what first-order blocks have comes first and lies together
-  double weighed_ahead = 0;          // s: the ledger weighs it at X + weighed_ahead·v (step/ledger.h, weigh)
-  Vec2 shift = Vec2::Zero();         // m, of the centroid since the start: kept apart from the place, so that a
-                                     // joint's jump is a difference of displacements and keeps its digits
+// Of a block's unknowns, m/s: six, though a rigid block has three, or a second-order one's twelve.
+class Rates {
+ public:
+  std::size_t size() const { return all_ ? all_->size() : first_.size(); }
+  double* data() { return all_ ? all_->data() : first_.data(); }
+  const double* data() const { return all_ ? all_->data() : first_.data(); }
+  double* begin() { return data(); }
+  double* end() { return data() + size(); }
+  const double* begin() const { return data(); }
+  const double* end() const { return data() + size(); }
+  double& operator[](std::size_t k) { return data()[k]; }
+  const double& operator[](std::size_t k) const { return data()[k]; }
+  void make_second_order() { all_.make() = {}; }
+  Rates& operator=(std::initializer_list<double> first) {  // and noughts
+    std::ranges::fill(std::copy(first.begin(), first.end(), begin()), end(), 0.0);
+    return *this;
+  }
+  template <int n>
+  ColumnOf<n> column() const {  // of which a block with fewer has noughts
+    ColumnOf<n> column = ColumnOf<n>::Zero();
+    std::copy_n(data(), std::min<std::size_t>(n, size()), column.data());
+    return column;
+  }
+  friend bool operator==(const Rates& a, const Rates& b) { return std::ranges::equal(a, b); }
+
+ private:
+  std::array<double, first_order_dofs> first_{};
+  Apart<std::array<double, second_order_dofs>> all_;
+};
+
+// Where a block is: what a step changes and a snapshot keeps. Of many blocks in flight a step takes the time that it takes to fetch
+// these: they are in the order of what is asked for together, with nothing between that most have not.
+struct BlockState {
   Vec2 centroid = Vec2::Zero();      // m, reference centroid + shift
   double angle = 0;                  // rad, since the start
   Vec3 strain = Vec3::Zero();        // εx, εy, γxy in the block's axes, since the start; of second order at the centroid
-  std::array<double, max_dofs> velocity{};  // rates of the unknowns, m/s
-  BendArray bend{};                  // m, of second-order blocks: model/bend.h
+  Vec2 shift = Vec2::Zero();         // m, of the centroid since the start: kept apart from the place, so that a
+                                     // joint's jump is a difference of displacements and keeps its digits
+  double weighed_ahead = 0;          // s: the ledger weighs it at X + weighed_ahead·v (step/ledger.h, weigh)
+  Rates velocity;
+  Apart<BendArray> bend;             // m, of second-order blocks: model/bend.h
 };
 
-// What a block is: constant after build.
-struct BlockShape {
+// What a block is: constant after build. Its order is that of what is asked for together, on two lines of the caches.
+struct alignas(64) BlockShape {
   int dofs = 0;  // 0 held, 3 rigid, 6 first order, 12 second order
   int dof_begin = 0;
   int vertex_begin = 0, vertex_end = 0;  // into Model::vertex, reference_vertex
   int region = 0, material = 0;
-  double area = 0;        // m2, reference
-  double length = 0;      // m, √area: scale of unknowns and of contact stiffness
-  double radius = 0;      // m, farthest vertex from the centroid
-  double xx = 0, yy = 0, xy = 0;  // second moments about the centroid, reference axes, m4
+  int quadratic = -1;      // of a second-order block: into Model::quadratic_shapes
+  bool bonded = false;     // to others when it was built
+  double length = 0;       // m, √area: scale of unknowns and of contact stiffness
+  double radius = 0;       // m, farthest vertex from the centroid
   Vec2 reference_centroid = Vec2::Zero();
+  double area = 0;                // m2, reference
+  double xx = 0, yy = 0, xy = 0;  // second moments about the centroid, reference axes, m4
   Vec3 initial_stress = Vec3::Zero();  // sxx, syy, sxy in the block's axes; of second order at the centroid
-  int quadratic = -1;                  // of a second-order block: into Model::quadratic_shapes
-  bool bonded = false;                 // to others when it was built
 
   bool second_order() const { return dofs == second_order_dofs; }
-  int rate_count() const { return second_order() ? second_order_dofs : first_order_dofs; }  // of BlockState::velocity that may not be nought
   // rad, of a block whose spins at both ends of a step come to `mean` in it. A centroid that goes by the mean of its velocities (trapezoidal
   // rule) turns about another by this angle, Cayley's: so do bonded blocks, or each step would tear at their bonds by a twelfth of the angle's cube.
   double turn(double mean) const { return bonded ? 2 * std::atan(mean / 2) : mean; }

@@ -11,8 +11,6 @@ inline bool stands_still(std::span<const double> rates) {
   return std::ranges::all_of(rates, [](double rate) { return rate == 0; });
 }
 
-inline bool stands_still(const Model& model, int block) {  // reads no more than it may have
-  return stands_still(std::span(model.blocks[size_t(block)].velocity).first(size_t(model.shapes[size_t(block)].rate_count())));
-}
+inline bool stands_still(const Model& model, int block) { return stands_still(model.blocks[size_t(block)].velocity); }
 
 }  // namespace talus

@@ -16,7 +16,7 @@ Bends bends_of(const Model& model) {
     if (!model.shapes[b].second_order()) continue;
     const BlockState& state = model.blocks[b];
     auto& bend = bends[size_t(model.shapes[b].quadratic)];
-    std::copy(state.velocity.begin() + first_order_dofs, state.velocity.end(), std::copy(state.bend.begin(), state.bend.end(), bend.begin()));
+    std::copy(state.velocity.begin() + first_order_dofs, state.velocity.end(), std::copy(state.bend->begin(), state.bend->end(), bend.begin()));
   }
   return bends;
 }
@@ -26,8 +26,8 @@ void set_bends(const Bends& bends, Model& model) {
     if (!model.shapes[b].second_order()) continue;
     BlockState& state = model.blocks[b];
     const auto& bend = bends[size_t(model.shapes[b].quadratic)];
-    const auto rates = bend.begin() + long(state.bend.size());
-    std::copy(bend.begin(), rates, state.bend.begin());
+    const auto rates = bend.begin() + long(state.bend->size());
+    std::copy(bend.begin(), rates, state.bend->begin());
     std::copy(rates, bend.end(), state.velocity.begin() + first_order_dofs);
   }
 }
@@ -142,8 +142,8 @@ void visit_state(BlockState& state, StateVisitor& v) {
 }
 
 void visit_state(BlockShape& shape, StateVisitor& v) {
-  auto& [dofs, dof_begin, vertex_begin, vertex_end, region, material, area, length, radius, xx, yy, xy,
-         reference_centroid, initial_stress, quadratic, bonded] = shape;
+  auto& [dofs, dof_begin, vertex_begin, vertex_end, region, material, quadratic, bonded, length, radius,
+         reference_centroid, area, xx, yy, xy, initial_stress] = shape;
   for (int* number : {&dofs, &dof_begin, &vertex_begin, &vertex_end, &region, &material}) v("shape", *number);
   for (double* number : {&area, &length, &radius, &xx, &yy, &xy}) v("shape", *number);
   v("reference_centroid", reference_centroid);

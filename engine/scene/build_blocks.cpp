@@ -148,6 +148,10 @@ int add_block(Model& model, int region_id, const Polyline& outline) {
   }
   BlockState state;
   state.centroid = integrals.centroid;
+  if (shape.second_order()) {
+    state.velocity.make_second_order();
+    state.bend.make() = {};
+  }
   model.shapes.push_back(shape);
   model.blocks.push_back(state);
   return int(model.shapes.size()) - 1;

@@ -57,7 +57,7 @@ class Attempt {
   Fracture* fracture_;
   std::vector<BlockState> blocks_;  // and vertices: before X was moved as the step changed, or empty
   std::vector<Vec2> vertex_, support_gaps_;
-  std::vector<std::pair<int, std::array<double, max_dofs>>> held_;
+  std::vector<std::pair<int, Rates>> held_;
   bool kept_ = false;
 };
 

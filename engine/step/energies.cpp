@@ -11,10 +11,9 @@ namespace talus {
 
 namespace {
 
-BendArray bend_ahead(const BlockShape& shape, const BlockState& state, double seconds) {
-  BendArray bend = state.bend;
-  if (shape.second_order())
-    for (size_t k = 0; k < bend.size(); ++k) bend[k] += seconds * state.velocity[first_order_dofs + k];
+Apart<BendArray> bend_ahead(const BlockState& state, double seconds) {
+  Apart<BendArray> bend = state.bend;
+  for (size_t k = 0; bend && k < bend->size(); ++k) (*bend)[k] += seconds * state.velocity[first_order_dofs + k];
   return bend;
 }
 
@@ -30,8 +29,7 @@ double strain_of_blocks(const Model& model, bool asleep, double ahead) {
     const auto& v = model.blocks[b].velocity;
     const Vec3 e = model.blocks[b].strain + ahead / shape.length * Vec3(v[3], v[4], v[5]);
     sum += shape.area * e.dot(shape.initial_stress + elasticity_of[shape.material] * e / 2);
-    if (shape.second_order())
-      sum += bend_energy(model, int(b), Eigen::Map<const Vec6>(bend_ahead(shape, model.blocks[b], ahead).data()));
+    if (const auto bend = bend_ahead(model.blocks[b], ahead)) sum += bend_energy(model, int(b), Eigen::Map<const Vec6>(bend->data()));
   }
   return sum;
 }
@@ -50,13 +48,13 @@ double kinetic_energy(const Model& model, int b, double ahead) {
   const auto& v = state.velocity;
   if (shape.dofs == 0 || stands_still(v)) return 0;
   const double at_reference = with_size(shape.second_order(), [&](auto n) {
-    const auto rates = Eigen::Map<const ColumnOf<n>>(v.data());
+    const ColumnOf<n> rates = v.column<n>();
     return rates.dot(mass_matrix_of<n>(model, b) * rates) / 2;
   });
   if (shape.dofs == rigid_dofs) return at_reference;
   const Vec3 at_y = state.strain + ahead / shape.length * Vec3(v[3], v[4], v[5]);
   const double x = moment_of_inertia(model, b, state.strain, state.bend),
-               y = moment_of_inertia(model, b, at_y, bend_ahead(shape, state, ahead));
+               y = moment_of_inertia(model, b, at_y, bend_ahead(state, ahead));
   return at_reference + (x * x / y - moment_of_inertia(model, b, Vec3::Zero())) * v[2] * v[2] / 2;
 }
 

@@ -198,7 +198,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   const double least = plan_.contacts && !in_one_piece(model_) ? least_hold * slower_by_width(model_) : 0, enough = model_.scene.numerics.static_tolerance;
   Softening softening;
   const BridgeSearch bridged(bridges_);
-  for (BlockState& state : model_.blocks) state.velocity.fill(0);
+  for (BlockState& state : model_.blocks) std::ranges::fill(state.velocity, 0);
   for (Contact& contact : model_.contacts) contact.coheres = false;
   std::optional<Settlement> settlement;
   if (search.in_place && plan_.contacts) settlement.emplace(model_);

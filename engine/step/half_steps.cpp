@@ -25,8 +25,7 @@ double kinetic_difference(const Model& model, const std::vector<BlockState>& oth
     const BlockShape& shape = model.shapes[b];
     if (shape.dofs == 0) continue;
     with_size(shape.second_order(), [&](auto n) {
-      const ColumnOf<n> rates = Eigen::Map<const ColumnOf<n>>(model.blocks[b].velocity.data()) -
-                                Eigen::Map<const ColumnOf<n>>(other[b].velocity.data());
+      const ColumnOf<n> rates = model.blocks[b].velocity.column<n>() - other[b].velocity.column<n>();
       sum += rates.dot(mass_matrix_of<n>(model, b) * rates) / 2;
     });
   }

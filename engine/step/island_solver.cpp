@@ -96,7 +96,7 @@ Rest IslandSolver::judge_rest(const Step& step, int island) {
   for (const int b : islands_.blocks(island)) {
     const BlockState& state = step.model.blocks[b];
     const double size = step.model.size_of(state.centroid);
-    for (const double rate : std::span(state.velocity).first(size_t(step.model.shapes[size_t(b)].rate_count()))) {
+    for (const double rate : state.velocity) {
       if (std::abs(rate) * step.dt > rounding * size) return Rest::moves;
       if (rate != 0) rest = Rest::settles;
     }

@@ -1,5 +1,6 @@
 #include "step/ledger.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/hand_over.h"
@@ -14,32 +15,48 @@ namespace {
 
 template <int n>
 ColumnOf<n> velocity_of(const Model& model, int block) {
-  return Eigen::Map<const ColumnOf<n>>(model.blocks[block].velocity.data());
+  return model.blocks[block].velocity.column<n>();
 }
 
-// Loss of the linear forces along X. They are those of ȳ = (1-β) y0 + β y1; with X̄ = (X0 + X1)/2 and w = ȳ - X̄
+// A block's unknowns along X, ΔX, and w (book_blocks).
+using Motion = std::pair<ColumnOf<max_dofs>, ColumnOf<max_dofs>>;
+Motion motion_of(const BookedStep& s, int block) {
+  const BlockShape& shape = s.model.shapes[block];
+  const auto& v0 = s.model.blocks[block].velocity;
+  Motion motion{ColumnOf<max_dofs>::Zero(), ColumnOf<max_dofs>::Zero()};
+  for (int k = 0; k < shape.dofs; ++k) {
+    const double d = s.d[shape.dof_begin + k];
+    motion.first[k] = s.scheme.step_v * v0[k] + s.scheme.move_d * d;
+    motion.second[k] = s.scheme.bond_v * v0[k] + (s.scheme.bond_d - s.scheme.move_d / 2) * d;
+  }
+  return motion;
+}
+
+// In one pass, as of many blocks the states are more than caches hold: what gravity gives, and the loss of the linear forces along X. They are
+// those of ȳ = (1-β) y0 + β y1; with X̄ = (X0 + X1)/2 and w = ȳ - X̄
 //   -f·ΔX = U(X1) - U(X0) + ΔX·K w.
 // K ΔX is nothing where a body turns as one, which the classic (θ-½) Δv·MΔv is not. K is what the system's matrix
 // has beside inertia and dashpots. Those take ΔX·C ΔX/Δt.
-void book_linear(const BookedStep& s, Ledger& ledger) {
+void book_blocks(const BookedStep& s, Ledger& ledger) {
   const Model& model = s.model;
-  Vector step(model.dofs), w(model.dofs);
-  double inertial = 0;
+  const auto motion = [&s](int block) { return motion_of(s, block); };
+  double all = 0, inertial = 0;
   for (const int b : model.awake_blocks()) {
     const BlockShape& shape = model.shapes[b];
     if (shape.dofs == 0) continue;
-    with_size(shape.second_order(), [&](auto n) {
-      const ColumnOf<n> v0 = velocity_of<n>(model, b), d = of_block<n>(model.shapes[b], s.d);
-      const ColumnOf<n> own = s.scheme.step_v * v0 + s.scheme.move_d * d;
-      const ColumnOf<n> own_w = s.scheme.bond_v * v0 + (s.scheme.bond_d - s.scheme.move_d / 2) * d;
-      step.segment(shape.dof_begin, shape.dofs) = own.head(shape.dofs);
-      w.segment(shape.dof_begin, shape.dofs) = own_w.head(shape.dofs);
-      inertial += own.dot(mass_matrix_of<n>(model, b) * own_w);
-    });
+    const Motion own = motion_of(s, b);
+    const auto& [step, w] = own;
+    ledger.gravity_work += model.mass(b) * model.scene.gravity.dot(step.head<2>());  // at the centroid: on the translation alone, of any order
+    all += s.system.matrix.form(b, own, motion);
+    with_size(shape.second_order(), [&](auto n) { inertial += step.template head<n>().dot(mass_matrix_of<n>(model, b) * w.template head<n>()); });
   }
-  const double dashpots = s.scheme.velocity_d / 2 * viscous_form(model, s.poses, step, w);
-  ledger.numerical_flow += (s.system.matrix.form(step, w) - s.scheme.inertia * inertial - dashpots) / s.scheme.bond_d;
-  ledger.viscous_work += viscous_form(model, s.poses, step, step) / s.scheme.dt;
+  const double dashpots = s.scheme.velocity_d / 2 * viscous_form(model, s.poses, motion);
+  ledger.numerical_flow += (all - s.scheme.inertia * inertial - dashpots) / s.scheme.bond_d;
+  const auto along = [&s](int block) {
+    const ColumnOf<max_dofs> step = motion_of(s, block).first;
+    return Motion{step, step};
+  };
+  ledger.viscous_work += viscous_form(model, s.poses, along) / s.scheme.dt;
 }
 
 double squared(double x) {
@@ -108,22 +125,19 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
       ledger.gas_work += force_on<n>(s.poses.blocks[block], point, force).dot(step);
     });
   });
-  for (const int b : model.awake_blocks()) {
-    const BlockShape& shape = model.shapes[b];
-    if (shape.dofs == 0) continue;
-    // Their resultant acts at the centroid: on the translation alone, of any order.
-    const DofColumn step = s.scheme.step_v * velocity_of<first_order_dofs>(model, b) + s.scheme.move_d * of_block<first_order_dofs>(model.shapes[b], s.d);
-    ledger.gravity_work += model.mass(b) * model.scene.gravity.dot(step.head<2>());
-    const auto& own = model.scene.regions[shape.region].body_force;
-    if (!own[0].given() && !own[1].given()) continue;
-    DofColumn force = DofColumn::Zero();
-    force.head<2>() = shape.area * body_force(model, shape.region, 0, time);
-    load(b, force, ledger.external_work);
-  }
+  const auto pushed = [](const Region& region) { return region.body_force[0].given() || region.body_force[1].given(); };
+  if (std::ranges::any_of(model.scene.regions, pushed))
+    for (const int b : model.awake_blocks()) {
+      const BlockShape& shape = model.shapes[b];
+      if (shape.dofs == 0 || !pushed(model.scene.regions[shape.region])) continue;
+      DofColumn force = DofColumn::Zero();
+      force.head<2>() = shape.area * body_force(model, shape.region, 0, time);
+      load(b, force, ledger.external_work);
+    }
   const Supports::Work moved = s.supports.work(model, s.poses, s.scheme, s.d, s.moved, before, after);
   ledger.boundary_work += moved.boundary;
   ledger.numerical_flow += moved.numerical;
-  book_linear(s, ledger);
+  book_blocks(s, ledger);
   ledger.numerical_flow += s.joints.loss_of_turning(model, s.poses, s.scheme, s.d, s.moved);
   keep_largest(ledger);
 }

@@ -120,7 +120,7 @@ class Hindsight {
     state.centroid += time * Vec2(v[0], v[1]);
     state.angle += time * v[2] / shape.length;
     state.strain += time / shape.length * Vec3(v[3], v[4], v[5]);
-    for (int k = first_order_dofs; k < shape.rate_count(); ++k) state.bend[k - first_order_dofs] += time * v[k];
+    for (size_t k = 0; state.bend && k < state.bend->size(); ++k) (*state.bend)[k] += time * v[first_order_dofs + k];
     return state;
   }
 

@@ -109,7 +109,7 @@ void hold_back(Bodies& bodies, std::vector<Opened>& opened) {
 std::optional<double> move_with(const Bodies& bodies, const Bodies& before, const std::vector<Opened>& opened, double given, Model& model) {
   std::set<int> pushed;
   for (const Opened& contact : opened) pushed.insert({bodies.body(contact.i), bodies.body(contact.j)});
-  std::vector<std::pair<int, std::array<double, max_dofs>>> kept;
+  std::vector<std::pair<int, Rates>> kept;
   double taken = given;
   for (const int body : pushed) {
     const int first = bodies.blocks(body)[0];

@@ -117,7 +117,7 @@ void Simulation::begin() {
 void Simulation::begin_ledger() { parts_->begin_ledger(plan.dynamic ? stepper_->first_ahead() : 0); }
 
 std::string Simulation::settle() {
-  std::vector<std::array<double, max_dofs>> velocities;
+  std::vector<Rates> velocities;
   for (const BlockState& state : model.blocks) velocities.push_back(state.velocity);
   std::string note = Equilibrium(*parts_).settle();
   for (size_t b = 0; b < velocities.size(); ++b) model.blocks[b].velocity = velocities[b];

@@ -75,9 +75,9 @@ void Sleep::each_group_in(const Box& box, const Model& model, Visit visit) const
 void Sleep::wake_near(const Model& model, double dt, std::vector<char>& woken) {
   for (const int b : model.awake_blocks()) {
     const bool held = model.shapes[b].dofs == 0;
-    const auto velocity = held ? held_velocity(model, b, dt) : model.blocks[b].velocity;
-    if (held && stands_still(velocity)) continue;
-    each_group_in(swept_box(model, b, velocity, dt), model, [&](int group) { woken[size_t(group)] = 1; });
+    const auto own = held ? held_velocity(model, b, dt) : std::array<double, rigid_dofs>{};
+    if (held && stands_still(own)) continue;
+    each_group_in(swept_box(model, b, held ? std::span<const double>(own) : model.blocks[b].velocity, dt), model, [&](int group) { woken[size_t(group)] = 1; });
   }
 }
 
@@ -139,7 +139,7 @@ void Sleep::take_stock(const Model& model) {
   for (int b = 0; b < int(model.shapes.size()); ++b) {
     if (!model.sleeps(b)) continue;
     sleepers_.push_back(b);
-    boxes.push_back(swept_box(model, b, {}, 0));
+    boxes.push_back(swept_box(model, b, std::array<double, rigid_dofs>{}, 0));
     groups_ += model.asleep[b] == b + 1;  // a group bears the number of its first block
   }
   boxes_.fill(std::move(boxes));

@@ -27,7 +27,7 @@ constexpr double most_solve_effort = 24;  // factors, among cracks: three times 
 
 void stand(const BlockState& where, BlockState& state) {
   state = where;
-  state.velocity.fill(0);
+  std::ranges::fill(state.velocity, 0);
 }
 
 }  // namespace
@@ -332,7 +332,7 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
     return 0;
   }
   for (const int b : model_.awake_blocks())  // nothing of it is work
-    if (parts_.islands.rest(b) != Rest::moves) model_.blocks[b].velocity.fill(0);
+    if (parts_.islands.rest(b) != Rest::moves) std::ranges::fill(model_.blocks[b].velocity, 0);
   if (bridge_motion_.any()) ledger_.numerical_flow += bridge_motion_.shift_loss(model_, scheme, d);
   const double dissipated = ledger_.friction_work + ledger_.viscous_work;
   book_motion({model_, parts_.poses, parts_.system, parts_.joints, parts_.supports, scheme, d, moved_}, ledger_);

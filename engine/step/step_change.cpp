@@ -18,7 +18,7 @@ void deform(const BlockShape& shape, double seconds, BlockState& state) {
   if (shape.dofs <= rigid_dofs) return;
   const auto& v = state.velocity;
   state.strain += seconds / shape.length * Vec3(v[3], v[4], v[5]);
-  for (size_t k = first_order_dofs; k < size_t(shape.rate_count()); ++k) state.bend[k - first_order_dofs] += seconds * v[k];
+  for (size_t k = 0; state.bend && k < state.bend->size(); ++k) (*state.bend)[k] += seconds * v[first_order_dofs + k];
 }
 
 void move(const BlockShape& shape, double seconds, const Vec2& velocity, double spin, BlockState& state) {

@@ -18,10 +18,10 @@ void move_block(const Model& model, const Scheme& scheme, const Vector& d, int b
   const BlockState& from = model.blocks[block];
   moved = from;
   const auto& v0 = from.velocity;
-  const int size = shape.rate_count();
+  const size_t size = v0.size();
   std::array<double, max_dofs> move;
-  for (int k = 0; k < size; ++k) {
-    const double dk = k < shape.dofs ? d[shape.dof_begin + k] : 0;
+  for (size_t k = 0; k < size; ++k) {
+    const double dk = k < size_t(shape.dofs) ? d[shape.dof_begin + Eigen::Index(k)] : 0;
     move[k] = scheme.step_v * v0[k] + scheme.move_d * dk;
     moved.velocity[k] = scheme.step_v > 0 ? v0[k] + scheme.velocity_d * dk : v0[k];
   }
@@ -29,7 +29,7 @@ void move_block(const Model& model, const Scheme& scheme, const Vector& d, int b
   moved.centroid = shape.reference_centroid + moved.shift;
   moved.angle += shape.turn(move[2] / shape.length);
   moved.strain += Vec3(move[3], move[4], move[5]) / shape.length;
-  for (int k = first_order_dofs; k < size; ++k) moved.bend[k - first_order_dofs] += move[k];
+  for (size_t k = first_order_dofs; k < size; ++k) (*moved.bend)[k - first_order_dofs] += move[k];
   if (shape.dofs > rigid_dofs && scheme.step_v > 0) {
     // Solved with the reference moment I; the spin momentum I(e) ω is what is kept.
     const double i = moment_of_inertia(model, block, Vec3::Zero()), before = moment_of_inertia(model, block, from.strain, from.bend),
@@ -41,7 +41,7 @@ void move_block(const Model& model, const Scheme& scheme, const Vector& d, int b
 namespace {
 
 double bending(const BlockShape& shape, const BlockState& from, const BlockState& to) {
-  const Vec6 bend = Eigen::Map<const Vec6>(to.bend.data()) - Eigen::Map<const Vec6>(from.bend.data());
+  const Vec6 bend = Eigen::Map<const Vec6>(to.bend->data()) - Eigen::Map<const Vec6>(from.bend->data());
   return shape.radius * shape.radius / shape.area * bend.norm();  // |(X², XY, Y²)| <= |X|²
 }
 

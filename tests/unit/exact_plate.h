@@ -77,7 +77,7 @@ inline Model solved_plate(const Scene& scene, const Exact& exact) {
     state.angle = small_motion * d[s.dof_begin + 2] / s.length;
     state.strain = small_motion * d.segment<3>(s.dof_begin + 3) / s.length;
     for (int k = first_order_dofs; k < s.dofs; ++k)
-      state.bend[size_t(k - first_order_dofs)] = small_motion * d[s.dof_begin + k];
+      (*state.bend)[size_t(k - first_order_dofs)] = small_motion * d[s.dof_begin + k];
   }
   model.place_vertices();
   return model;

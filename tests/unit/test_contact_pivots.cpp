@@ -15,14 +15,13 @@ BlockMatrix coupled_blocks(const std::vector<int>& sizes, const std::vector<std:
   std::uniform_real_distribution<double> value(-1, 1);
   BlockMatrix matrix;
   matrix.set_pattern(sizes, pairs);
-  matrix.clear();
   const auto part = [&](int rows, int columns) {
     Eigen::MatrixXd m(rows, columns);
     for (Eigen::Index k = 0; k < m.size(); ++k) m(k) = value(random);
     return m;
   };
   for (int b = 0; b < int(sizes.size()); ++b)
-    matrix.add(matrix.slot(b, b), false, Eigen::MatrixXd(30 * Eigen::MatrixXd::Identity(sizes[b], sizes[b])));
+    matrix.begin(b, 30 * Eigen::MatrixXd::Identity(sizes[b], sizes[b]));
   for (const auto& [a, b] : pairs) matrix.add(matrix.slot(a, b), false, part(sizes[std::min(a, b)], sizes[std::max(a, b)]));
   return matrix;
 }

@@ -45,7 +45,9 @@ TEST(Rotation, TurnsAndTurnsBack) {
   EXPECT_NEAR((r.turn({1, 0}) - Vec2(0, 1)).norm(), 0, 1e-15);
   EXPECT_NEAR((r.back(r.turn({3, -4})) - Vec2(3, -4)).norm(), 0, 1e-14);
   // c - 1 keeps its digits where c itself has none left: -θ²/2
-  EXPECT_DOUBLE_EQ(Rotation::of(1e-9).c1, -5e-19);
+  EXPECT_DOUBLE_EQ(Rotation::of(1e-9).c1(), -5e-19);
+  EXPECT_DOUBLE_EQ(Rotation::of(std::numbers::pi).c1(), -2);
+  for (const double angle : {0.1, 1.5, 1.6, 3.1, -2.0}) EXPECT_NEAR(Rotation::of(angle).c1(), std::cos(angle) - 1, 2e-16) << angle;
 }
 
 TEST(Model, PlaceStrainsThenTurnsThenShifts) {
@@ -160,7 +162,7 @@ TEST(MassMatrix, GivesTheKineticEnergyOfTheField) {
     for (const Vec2& p : {Vec2((a + b) / 2), Vec2((b + c) / 2), Vec2((c + a) / 2)})
       energy += 2000.0 / 2 * cross(a - c, b - c) / 6 * model.velocity_at(0, p).squaredNorm();
   }
-  const auto v = Eigen::Map<const Eigen::Matrix<double, 6, 1>>(model.blocks[0].velocity.data());
+  const auto v = model.blocks[0].velocity.column<6>();
   EXPECT_NEAR(v.dot(mass_matrix(model, 0) * v) / 2, energy, 1e-13 * energy);
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(mass_matrix(model, 0)).eigenvalues()[0], 0);
 }
