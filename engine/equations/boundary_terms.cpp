@@ -79,14 +79,15 @@ Vec2 rising(const Model& model, int block, double dt) {
 }  // namespace
 
 void move_held_blocks(Model& model, double dt) {
-  model.held_faster.clear();
-  model.held_rising.clear();
-  for (const int b : model.held_blocks) {
-    model.held_rising.push_back(rising(model, b, dt));
+  model.held_faster.resize(model.held_blocks.size());
+  model.held_rising.resize(model.held_blocks.size(), Vec2::Zero());
+  for (size_t k = 0; k < model.held_blocks.size(); ++k) {
+    const int b = model.held_blocks[k];
     auto& velocity = model.blocks[b].velocity;
     const auto now = held_velocity(model, b, dt);
-    auto& faster = model.held_faster.emplace_back();
-    for (size_t k = 0; k < faster.size(); ++k) faster[k] = now[k] - velocity[k];
+    const Vec2 rises = rising(model, b, dt), change = Vec2(now[0] - velocity[0], now[1] - velocity[1]) + rises - model.held_rising[k];
+    model.held_faster[k] = {change.x(), change.y(), now[2] - velocity[2]};
+    model.held_rising[k] = rises;
     std::ranges::copy(now, velocity.begin());
   }
 }

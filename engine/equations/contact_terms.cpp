@@ -86,8 +86,10 @@ void ContactTerms::linearise(const Model& model, const Poses& poses, const Schem
     row.gap0 = gap + contact.offset + scheme.contact_v * approach + scheme.bond_ahead * normal.dot(model.rising(contact.i) - model.rising(contact.j));
     if (contact.lies) row.gap0 = scheme.dt * approach - contact.normal_force / contact.normal_stiffness;
     row.rounding = contact.lies ? 0 : rounding_of_gap(model, contact);
-    row.slide0 = contact.stretch + scheme.step_v * sliding +
-                 scheme.bond_ahead * (model.faster_along(contact.i, row.shear_i) + model.faster_along(contact.j, row.shear_j));
+    row.faster = model.faster_along(contact.i, row.shear_i) + model.faster_along(contact.j, row.shear_j);
+    // Springs are unstrained where blocks lie, at X: before the first step y is X, as if nothing had moved. What moves with its floor has not slid then.
+    if (model.time == 0) row.faster += (row.size_i > 0 ? dot(row.shear_i, vi) : 0) + (row.size_j > 0 ? dot(row.shear_j, vj) : 0);
+    row.slide0 = contact.stretch + scheme.step_v * sliding + scheme.bond_ahead * row.faster;
     row.kn = contact.normal_stiffness;
     row.ks = contact.shear_stiffness;
     row.friction = stick ? std::numeric_limits<double>::infinity() : std::tan(strength.friction);

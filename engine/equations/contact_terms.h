@@ -17,6 +17,7 @@ struct ContactScalars {
   int dof_i, dof_j, size_i, size_j;
   double gap0, slide0;  // gap and stretch at d = 0, velocities carried to where contacts are judged
   double rounding;      // m, of gap0; none where that is no difference of places, see Contact::lies
+  double faster;        // m/s, by which sliding has become faster as the step began: as held blocks have, or, in the first, all that there is
   double kn, ks;        // N/m
   double friction, cohesion;  // tan φ; N
   int contact;          // index into Model::contacts

@@ -35,7 +35,8 @@ class Supports {
   Work work(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
             const std::vector<BlockState>& moved, double ahead0, double ahead1) const;
 
-  // For Model::support_gaps: before the first step, as the blocks lie; after one with the solution d, before the blocks have moved.
+  // For Model::support_gaps: before the first step, as blocks and fixities go on at the velocities they begin with (by how these become faster later no support
+  // is strained yet); after one with the solution d, before the blocks have moved.
   std::vector<Vec2> gaps(const Model& model, double ahead) const;
   std::vector<Vec2> gaps_after(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d) const;
 

@@ -351,9 +351,9 @@ class Model {
   std::vector<int> fragment;  // per block: which connected set of intact joints it belongs to; empty where none can break
   std::vector<int> held_by;  // per block: index of the fixity that holds it wholly, or -1
   std::vector<int> held_blocks;  // those without unknowns, rising
-  // m/s, of each of held_blocks where they move: by how much its rates differ in this step from those in the last.
+  // m/s, of each of held_blocks where they move: by how much faster it is as this step ends than as the last one did.
   std::vector<std::array<double, rigid_dofs>> held_faster;
-  std::vector<Vec2> held_rising;  // m/s, of each held block, its velocity as the step ends less that on its mean, blocks[b].velocity
+  std::vector<Vec2> held_rising;  // m/s, likewise, its velocity as the last step ended less that on its mean, blocks[b].velocity
   std::unordered_map<std::int64_t, int> pair_property;  // unbonded interfaces: (a, b) with a < b -> property
   int dofs = 0;
   std::vector<std::string> notes;  // what building it has to tell the user

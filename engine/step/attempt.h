@@ -19,6 +19,7 @@ class Attempt {
       : model_(model), ledger_(ledger), before_(ledger), search_(search), contacts_(contacts), fracture_(fracture) {
     if (plan.contacts) contacts_.assign(model.contacts.begin() + model.sleeping_contacts, model.contacts.end());
     for (const int b : model.held_blocks) held_.emplace_back(b, model.blocks[b].velocity);
+    held_rising_ = model.held_rising;
   }
   ~Attempt() {
     if (kept_) return;
@@ -33,6 +34,7 @@ class Attempt {
     ledger_ = before_;
     if (fracture_) fracture_->heal();
     for (const auto& [block, velocity] : held_) model_.blocks[block].velocity = velocity;
+    model_.held_rising = std::move(held_rising_);
   }
   Attempt(const Attempt&) = delete;
   Attempt& operator=(const Attempt&) = delete;
@@ -58,6 +60,7 @@ class Attempt {
   std::vector<BlockState> blocks_;  // and vertices: before X was moved as the step changed, or empty
   std::vector<Vec2> vertex_, support_gaps_;
   std::vector<std::pair<int, Rates>> held_;
+  std::vector<Vec2> held_rising_;
   bool kept_ = false;
 };
 

@@ -169,9 +169,7 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
       ledger.numerical_flow += c.shear_stiffness / 2 * squared(c.stretch - b.stretch);
     if (c.state == ContactState::open) continue;
     const ContactRows& row = rows[k];
-    const double faster = scheme.velocity_d * row.along(row.shear_i, row.shear_j, d) + model.faster_along(c.i, row.shear_i) +
-                          model.faster_along(c.j, row.shear_j);
-    ledger.numerical_flow -= c.shear_force * scheme.bond_ahead * faster;
+    ledger.numerical_flow -= c.shear_force * scheme.bond_ahead * (scheme.velocity_d * row.along(row.shear_i, row.shear_j, d) + row.faster);
     // Work of a held block that moves: against the force the contact puts on it.
     const auto held = [&](int block, const Row& normal, const Row& shear) {
       if (model.shapes[block].dofs > 0) return;

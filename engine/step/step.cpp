@@ -358,7 +358,7 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
 // What the way from X to y holds is the integrator's.
 void Stepper::change_step(double ahead) {
   const double before = kinetic_energy(model_, 0) + parts_.elastic_energy(0);
-  std::vector<BlockState> kept = keep_stored(model_, ledger_.ahead - ahead);
+  std::vector<BlockState> kept = keep_stored(model_, ledger_.ahead, ahead);
   double gravity = 0;
   for (int b = 0; b < int(kept.size()); ++b)
     gravity += model_.mass(b) * model_.scene.gravity.dot(kept[size_t(b)].shift - model_.blocks[size_t(b)].shift);

@@ -235,7 +235,7 @@ TEST(Ledger, AStepOfAnotherLengthKeepsWhatPressedContactsHold) {
       c.state = state;
     }
     model.blocks[0].velocity = {0, velocity, velocity};
-    const BlockState kept = keep_stored(model, -0.01)[0];
+    const BlockState kept = keep_stored(model, 0.01, 0.02)[0];
     return std::pair(kept.shift.y() - model.blocks[0].shift.y(), kept.angle - model.blocks[0].angle);
   };
   EXPECT_NEAR(moved(1e-5, 1).first, -1e-7, 1e-20);
