@@ -55,6 +55,9 @@ class Outline {
 std::optional<std::string> bad_point(const Outline& o) {
   for (std::size_t i = 0; i < o.size(); ++i)
     if (!o.from(i).allFinite()) return "point " + std::to_string(i + 1) + " is " + text(o.from(i));
+  constexpr double most = 1e50;  // m: the sixth power of twice that, as of the moments of blocks, is a number
+  for (std::size_t i = 0; i < o.size(); ++i)
+    if (!(o.from(i).cwiseAbs().maxCoeff() <= most)) return "point " + std::to_string(i + 1) + ", " + text(o.from(i)) + ", is farther off than 1e50 m, beyond which moments of blocks are no numbers";
   for (std::size_t i = 0; i < o.size(); ++i)
     if (o.from(i) == o.to(i)) {
       const bool closed_twice = o.next(i) == 0;

@@ -17,6 +17,7 @@ std::vector<int> bodies_in(const Model& model) {
 std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& blocks, const std::vector<int>& body_of) {
   std::vector<Body> bodies;
   for (size_t b = 0; b < blocks.size(); ++b) {
+    if (body_of[b] < 0) continue;
     if (body_of[b] >= int(bodies.size())) bodies.resize(size_t(body_of[b]) + 1);
     Body& body = bodies[size_t(body_of[b])];
     const double mass = model.mass(int(b));
@@ -29,6 +30,7 @@ std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& b
     body.velocity /= body.mass;
   }
   for (size_t b = 0; b < blocks.size(); ++b) {
+    if (body_of[b] < 0) continue;
     Body& body = bodies[size_t(body_of[b])];
     const BlockState& state = blocks[b];
     const Vec2 arm = state.centroid - body.centroid, v(state.velocity[0], state.velocity[1]);

@@ -1,5 +1,6 @@
 #include "step/step_change.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "equations/block_terms.h"
@@ -64,7 +65,7 @@ class Holder {
     frame_ = frame;
   }
   bool any() const { return any_; }
-  // Of the set, that moves by itself as `own`: by the ground, where that is among several.
+  // Of the set, which by itself moves as `own`: by the ground, where that is among several.
   Frame frame(const Frame& own) const { return !any_ ? own : !several_ ? frame_ : ground_ ? Frame{} : own; }
 
  private:
@@ -72,19 +73,27 @@ class Holder {
   Frame frame_;
 };
 
+// What carries each body, blocks that hang together by bonds: what it lies on, what holds it, or else itself.
 class Carried {
  public:
-  Carried(const Model& model, double before, double after)
-      : model_(model), before_(before), after_(after), body_of_(bodies_in(model)), bodies_(bodies_of(model, model.blocks, body_of_)), body_holder_(bodies_.size()) {
-    find_holders();
-    find_lying();
+  Carried(const Model& model, double before, double after) : model_(model), before_(before), after_(after), body_of_(bodies_in(model)) {
+    const size_t count = size_t(*std::ranges::max_element(body_of_)) + 1;
+    holder_.resize(count);
+    if (!model_.joints.empty())
+      for (const int b : model_.held_blocks) holder_[body(b)].add(held_frame(b));
+    for (const EdgeFixity& edge : model_.edge_fixities) holder_[body(edge.block)].add(edge_frame(edge));
+    find_lying(count);
+    for (size_t b = 0; b < body_of_.size(); ++b) apart_.push_back(lying_[body(int(b))] || !moves(int(b)) ? -1 : body_of_[b]);
+    bodies_ = bodies_of(model_, model_.blocks, apart_);
+    for (size_t k = 0; k < bodies_.size(); ++k)
+      if (!lying_[k]) frame_[k] = holder_[k].frame(frame_of(bodies_[k]));
   }
-  const std::vector<int>& body_of() const { return body_of_; }
+  bool moves(int block) const { return model_.shapes[size_t(block)].dofs > 0 && !model_.sleeps(block); }
+  const Frame& by(int block) const { return frame_[body(block)]; }
+  bool flies(int block) const { return apart_[size_t(block)] >= 0 && !holder_[body(block)].any(); }
+  // Per block its body, or -1 where that lies on something; these bodies, before their blocks move.
+  const std::vector<int>& apart() const { return apart_; }
   const std::vector<Body>& bodies() const { return bodies_; }
-  bool held(int block) const { return body_holder_[body(block)].any(); }
-  bool lies(int block) const { return lying_[body(block)]; }
-  // Of what lies on something the motion of that; of what is held that of its holder; of what flies its own.
-  const Frame& of(int block) const { return carried_[body(block)]; }
 
  private:
   size_t body(int block) const { return size_t(body_of_[size_t(block)]); }
@@ -97,64 +106,60 @@ class Carried {
     return {(of.moved(model_.time + before_) - of.moved(model_.time + after_)) / (before_ - after_)};
   }
 
-  void find_holders() {
-    for (const int b : model_.held_blocks) body_holder_[body(b)].add(held_frame(b));
-    for (const EdgeFixity& edge : model_.edge_fixities) body_holder_[body(edge.block)].add(edge_frame(edge));
-  }
-
   // Which bodies lie on something, slow as above in all their blocks and in all that press on each other with them: one that keeps y beside
-  // one that does not would have their contact pressed by what the one moves.
-  void find_lying() {
-    const auto free = [this](int block) { return model_.shapes[size_t(block)].dofs > 0; };
-    std::vector<char> pressed(bodies_.size()), slides(bodies_.size()), fast(bodies_.size());
-    DisjointSets heaps(bodies_.size());
+  // one that does not would have their contact pressed by what the one moves. With frames of those.
+  void find_lying(size_t count) {
+    std::vector<char> pressed(count), slides(count), fast(count);
+    DisjointSets heaps(count);
     for (const Contact& c : model_.awake_contacts()) {
       if (c.normal_force <= 0) continue;
       for (const int b : {c.i, c.j}) {
         pressed[body(b)] = 1;
         if (c.state == ContactState::slip) slides[body(b)] = 1;
       }
-      if (free(c.i) && free(c.j)) heaps.join(int(body(c.i)), int(body(c.j)));
+      if (moves(c.i) && moves(c.j)) heaps.join(int(body(c.i)), int(body(c.j)));
     }
-    const std::vector<Frame> heap_frame = frames_of_heaps(heaps);
+    frame_ = frames_of_heaps(heaps, pressed);
     for (size_t b = 0; b < model_.blocks.size(); ++b) {
-      if (!free(int(b))) continue;
-      const int heap = heaps.root(int(body(int(b))));
-      if (!slow(model_.shapes[b], model_.blocks[b], heap_frame[size_t(heap)], before_ - after_, slides[body(int(b))] ? as_at_rest_sliding : as_at_rest)) fast[size_t(heap)] = 1;
+      const size_t own = body(int(b)), heap = size_t(heaps.root(int(own)));
+      if (!pressed[own] || !moves(int(b))) continue;
+      if (!slow(model_.shapes[b], model_.blocks[b], frame_[heap], before_ - after_, slides[own] ? as_at_rest_sliding : as_at_rest)) fast[heap] = 1;
     }
-    for (size_t k = 0; k < bodies_.size(); ++k) {
-      const size_t heap = size_t(heaps.root(int(k)));
+    for (size_t k = 0; k < count; ++k) {
+      const size_t heap = size_t(heaps.root(int(k)));  // the least of its bodies: its frame stands there, and stays
       lying_.push_back(pressed[k] && !fast[heap]);
-      carried_.push_back(lying_[k] ? heap_frame[heap] : body_holder_[k].frame(frame_of(bodies_[k])));
+      if (lying_[k]) frame_[k] = frame_[heap];
     }
   }
 
-  // Of what holds each heap, or where nothing does, its own.
-  std::vector<Frame> frames_of_heaps(DisjointSets& heaps) const {
-    std::vector<Holder> holder(bodies_.size());
-    for (const int b : model_.held_blocks) holder[body(b)] = body_holder_[body(b)];
-    for (const EdgeFixity& edge : model_.edge_fixities) holder[size_t(heaps.root(int(body(edge.block))))].add(edge_frame(edge));
+  // By the first body of each heap: of what holds it, or where nothing does, its own.
+  std::vector<Frame> frames_of_heaps(DisjointSets& heaps, const std::vector<char>& pressed) const {
+    std::vector<Holder> holder(pressed.size());
+    const auto heap = [&](int block) { return size_t(heaps.root(int(body(block)))); };
+    for (const EdgeFixity& edge : model_.edge_fixities) holder[heap(edge.block)].add(edge_frame(edge));
+    if (!model_.joints.empty())
+      for (const int b : model_.held_blocks) holder[heap(b)].add(held_frame(b));
     for (const Contact& c : model_.awake_contacts()) {
       if (c.normal_force <= 0) continue;
       for (const auto& [held, other] : {std::pair(c.i, c.j), std::pair(c.j, c.i)})
-        if (model_.shapes[size_t(held)].dofs == 0) holder[size_t(heaps.root(int(body(other))))].add(held_frame(held));
+        if (model_.shapes[size_t(held)].dofs == 0) holder[heap(other)].add(held_frame(held));
     }
-    std::vector<int> heap_of;
-    for (const int b : body_of_) heap_of.push_back(heaps.root(b));
-    const std::vector<Body> own = bodies_of(model_, model_.blocks, heap_of);
-    std::vector<Frame> frames(bodies_.size());
-    for (size_t k = 0; k < frames.size(); ++k)
-      if (heaps.root(int(k)) == int(k)) frames[k] = holder[k].frame(frame_of(own[k]));
+    std::vector<int> free(body_of_.size(), -1);
+    for (size_t b = 0; b < free.size(); ++b)
+      if (pressed[body(int(b))] && moves(int(b)) && !holder[heap(int(b))].any()) free[b] = int(heap(int(b)));
+    const std::vector<Body> own = bodies_of(model_, model_.blocks, free);
+    std::vector<Frame> frames(pressed.size());
+    for (size_t k = 0; k < frames.size(); ++k) frames[k] = holder[k].frame(k < own.size() ? frame_of(own[k]) : Frame{});
     return frames;
   }
 
   const Model& model_;
   const double before_, after_;  // s, y ahead of X
-  std::vector<int> body_of_;
-  std::vector<Body> bodies_;
-  std::vector<Holder> body_holder_;  // per body
-  std::vector<Frame> carried_;
+  std::vector<int> body_of_, apart_;
+  std::vector<Holder> holder_;  // per body
   std::vector<char> lying_;
+  std::vector<Frame> frame_;
+  std::vector<Body> bodies_;
 };
 
 }  // namespace
@@ -163,20 +168,20 @@ std::vector<BlockState> keep_stored(const Model& model, double before, double af
   const double seconds = before - after;
   std::vector<BlockState> blocks = model.blocks;
   const Carried carried(model, before, after);
-  const auto moves = [&model](size_t b) { return model.shapes[b].dofs > 0 && !model.sleeps(int(b)); };
   for (size_t b = 0; b < blocks.size(); ++b) {
-    if (!moves(b)) continue;
+    if (!carried.moves(int(b))) continue;
     deform(model.shapes[b], seconds, blocks[b]);
-    if (carried.lies(int(b)) || carried.held(int(b)))
-      move_whole(model.shapes[b], seconds, carried.of(int(b)), model.scene.gravity, blocks[b]);
+    if (carried.flies(int(b)))
+      move(model.shapes[b], seconds, carried.by(int(b)), blocks[b]);
     else
-      move(model.shapes[b], seconds, carried.of(int(b)), blocks[b]);
+      move_whole(model.shapes[b], seconds, carried.by(int(b)), model.scene.gravity, blocks[b]);
   }
   // What has moved outwards turns more slowly.
-  const std::vector<Body> moved = bodies_of(model, blocks, carried.body_of());
+  const std::vector<Body> moved = bodies_of(model, blocks, carried.apart());
   for (size_t b = 0; b < blocks.size(); ++b) {
-    const Body &was = carried.bodies()[size_t(carried.body_of()[b])], &is = moved[size_t(carried.body_of()[b])];
-    if (!moves(b) || carried.lies(int(b)) || carried.held(int(b))) continue;
+    if (!carried.flies(int(b))) continue;
+    const size_t body = size_t(carried.apart()[b]);
+    const Body &was = carried.bodies()[body], &is = moved[body];
     const double faster = was.spin * was.inertia / is.inertia - is.spin;
     const Vec2 turn = faster * perp(Vec2(blocks[b].centroid - is.centroid));
     blocks[b].velocity[0] += turn.x();

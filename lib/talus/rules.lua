@@ -75,9 +75,19 @@ function rules.calibrate(values, bad)
   end
 end
 
+-- s: time does not go on by less, and squares of less are no numbers.
+local function least_time(t_end) return 2^-52*math.max(t_end, 1e-100) end
+
 function rules.simulation(values, bad)
   local object = require "talus.object"
-  if object.get(values.time, "mode") ~= "static" then return end
+  if object.get(values.time, "mode") ~= "static" then
+    local every, t_end = values.output and object.get(values.output, "every"), object.get(values.time, "t_end")
+    local least = least_time(t_end)
+    if every and every < least then
+      require("talus.places").fail(object.place(values.output), ("simulation.output.every: expected at least %.3g (s), as time cannot come to t_end = %g by less, got %g"):format(least, t_end, every))
+    end
+    return
+  end
   if values.charges then bad("charges", 'time.mode = "dynamic", as gas moves rock in time', "static") end
   for _, fix in ipairs(values.fix or {}) do
     local spin = object.get(fix, "spin")
@@ -185,7 +195,7 @@ function rules.time(values, bad)
   if not values.t_end or values.t_end == 0 then
     bad("t_end", "a number > 0 (s) in dynamic mode", values.t_end or "nothing")
   end
-  local least = 2^-52*math.max(values.t_end, 1e-100)  -- time does not go on by less, and squares of less are no numbers
+  local least = least_time(values.t_end)
   for _, name in ipairs { "dt", "dt_min", "dt_max" } do
     if values[name] and values[name] < least then
       bad(name, ("at least %.3g (s), as time cannot come to t_end = %g by less"):format(least, values.t_end), ("%g"):format(values[name]))

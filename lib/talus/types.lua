@@ -136,12 +136,16 @@ types.triple = tuple_type("{sxx, syy, sxy}", 3)
 
 -- A list of things of one type: spec.of, at least spec.count of them. One alone stands for a list of one. Where
 -- spec.nested is set, lists in it count as their elements.
-local function flattened(value)
+local function flattened(value, where, within)
+  within = within or {}
+  if within[value] then places.fail(where.place, ("%s: expected lists of things, got a list that is in itself"):format(where.path)) end
+  within[value] = true
   local flat = {}
   for _, element in ipairs(value) do
     local is_list = type(element) == "table" and getmetatable(element) == nil and (#element > 0 or not next(element))
-    for _, one in ipairs(is_list and flattened(element) or { element }) do flat[#flat + 1] = one end
+    for _, one in ipairs(is_list and flattened(element, where, within) or { element }) do flat[#flat + 1] = one end
   end
+  within[value] = nil
   return flat
 end
 types.list = {}
@@ -163,7 +167,7 @@ function types.list.check(value, spec, where)
     if value[i] == nil then types.check(nil, spec.of, inside(where, ("[%d]"):format(i))) end
   end
   local kept = {}
-  for i, element in ipairs(spec.nested and flattened(value) or value) do
+  for i, element in ipairs(spec.nested and flattened(value, where) or value) do
     kept[i] = types.check(element, spec.of, inside(where, ("[%d]"):format(i)))
   end
   return kept
