@@ -150,28 +150,31 @@ std::vector<Vec2> Supports::gaps(const Model& model, double ahead) const {
   return gaps;
 }
 
-std::vector<Vec2> Supports::gaps_after(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d) const {
-  std::vector<Vec2> gaps;
+void Supports::store(const Poses& poses, const Scheme& scheme, const Vector& d, Model& model) const {
+  model.support_tractions.resize(points_.size(), Vec2::Zero());
   for (const SupportPoint& point : points_) {
-    gaps.push_back(gap_now(model, point, scheme.bond_ahead));
     if (model.sleeps(point.block)) continue;
     with_size(model.shapes[point.block].second_order(), [&](auto n) {
       const Held<n> held = held_at<n>(model, point, poses.blocks[point.block], scheme);
-      const Vec2 mean = held.gap - scheme.bond_d * (held.displacement * of_block<n>(model.shapes[point.block], d));
-      gaps.back() = (mean - (1 - scheme.bond_end) * gaps.back()) / scheme.bond_end;
+      const ColumnOf<n> own = of_block<n>(model.shapes[point.block], d);
+      const Vec2 mean = held.gap - scheme.bond_d * (held.displacement * own);
+      model.support_tractions[size_t(point.number)] = held.traction + scheme.bond_d * (held.flux * own) + point.stiffness * mean;
+      if (scheme.bond_ahead == 0) return;
+      Vec2& gap = model.support_gaps[size_t(point.number)];
+      gap = (mean - (1 - scheme.bond_end) * gap) / scheme.bond_end;
     });
   }
-  return gaps;
 }
 
-std::vector<Vec2> Supports::reactions(const Model& model, double t, double ahead) const {
+std::vector<Vec2> Supports::reactions(const Model& model, double t) const {
   std::vector<Vec2> sum(model.scene.fixities.size(), Vec2::Zero());
   for (const SupportPoint& point : points_) {
-    const Fixity& fixity = model.scene.fixities[point.fixity];
-    const Pose pose = flown(model, point.block, 0);
-    const Vec2 gap = ahead == 0 ? Vec2(fixity.moved(t) - pose.displacement(point.in_block)) : gap_now(model, point, ahead);
-    const Vec2 traction = side_of(model, pose, point.block, point.normal, 1).traction_at(point.in_block, ahead);
-    sum[point.fixity] += point.weight * held_directions(fixity) * (traction + point.stiffness * gap);
+    const auto at_rest = [&] {
+      const Pose pose = flown(model, point.block, 0);
+      const Vec2 gap = model.scene.fixities[point.fixity].moved(t) - pose.displacement(point.in_block);
+      return Vec2(held_directions(model.scene.fixities[point.fixity]) * (side_of(model, pose, point.block, point.normal, 1).traction_at(point.in_block, 0) + point.stiffness * gap));
+    };
+    sum[point.fixity] += point.weight * (model.support_tractions.empty() ? at_rest() : model.support_tractions[size_t(point.number)]);
   }
   return sum;
 }

@@ -35,14 +35,14 @@ class Supports {
   Work work(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
             const std::vector<BlockState>& moved, double ahead0, double ahead1) const;
 
-  // For Model::support_gaps: before the first step, as blocks and fixities go on at the velocities they begin with (by how these become faster later no support
-  // is strained yet); after one with the solution d, before the blocks have moved.
+  // For Model::support_gaps before the first step, as blocks and fixities go on at the velocities they begin with: by how these become faster later no
+  // support is strained yet.
   std::vector<Vec2> gaps(const Model& model, double ahead) const;
-  std::vector<Vec2> gaps_after(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d) const;
+  // Gaps and tractions of the step with the solution d, before the blocks have moved.
+  void store(const Poses& poses, const Scheme& scheme, const Vector& d, Model& model) const;
 
-  // N/m per fixity, on the blocks: at y, `ahead` seconds along the present velocities; or where that is 0 as the blocks lie, with the fixities
-  // of time `t`.
-  std::vector<Vec2> reactions(const Model& model, double t, double ahead) const;
+  // N/m per fixity, on the blocks: of the last step; where there was none, as the blocks lie, with the fixities of time `t`.
+  std::vector<Vec2> reactions(const Model& model, double t) const;
 
  private:
   std::vector<SupportPoint> points_;

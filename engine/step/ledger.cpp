@@ -188,8 +188,8 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
   keep_largest(ledger);
 }
 
-std::vector<Vec2> support_reactions(const Model& model, const Supports& supports, double time, double ahead) {
-  std::vector<Vec2> sum = supports.reactions(model, time, ahead);
+std::vector<Vec2> support_reactions(const Model& model, const Supports& supports, double time) {
+  std::vector<Vec2> sum = supports.reactions(model, time);
   for (const Contact& c : model.contacts) {
     const Vec2 on_i = contact_push(model, c);
     if (model.held_by[c.i] >= 0) sum[model.held_by[c.i]] -= on_i;
@@ -231,7 +231,7 @@ LoadStepBooking::LoadStepBooking(const Model& model, const Supports& supports, d
     : time_(time),
       unloaded_(unloaded),
       forces_(forces(model, unloaded ? model.time : time)),  // unloaded: for their places alone
-      reactions_(support_reactions(model, supports, time, 0)) {
+      reactions_(support_reactions(model, supports, time)) {
   for (const BlockState& state : model.blocks) centroids_.push_back(state.centroid);
 }
 
@@ -244,7 +244,7 @@ void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledge
     if (model.shapes[b].dofs > 0)
       ledger.gravity_work += (earlier + 1) / 2 * model.mass(int(b)) *
                              model.scene.gravity.dot(model.blocks[b].centroid - centroids_[b]);
-  const std::vector<Vec2> reaction = support_reactions(model, supports, model.time, 0);
+  const std::vector<Vec2> reaction = support_reactions(model, supports, model.time);
   for (size_t f = 0; f < reaction.size(); ++f) {
     const Fixity& fixity = model.scene.fixities[f];
     const Vec2 moved = fixity.moved(model.time) - fixity.moved(time_);

@@ -105,7 +105,7 @@ class BridgeBooking {
 };
 
 // N/m per fixity, as Supports::reactions: on what it holds by points and edges, and on what its held blocks touch.
-std::vector<Vec2> support_reactions(const Model& model, const Supports& supports, double time, double ahead);
+std::vector<Vec2> support_reactions(const Model& model, const Supports& supports, double time);
 
 // A load step of a static run: forces grow linearly over it, from nothing before the first. Friction's work too is that of the whole
 // step: what slides to and fro while equilibrium is looked for has not done so in the rock.

@@ -336,7 +336,7 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
   if (bridge_motion_.any()) ledger_.numerical_flow += bridge_motion_.shift_loss(model_, scheme, d);
   const double dissipated = ledger_.friction_work + ledger_.viscous_work;
   book_motion({model_, parts_.poses, parts_.system, parts_.joints, parts_.supports, scheme, d, moved_}, ledger_);
-  if (plan_.fixities && scheme.bond_ahead > 0) model_.support_gaps = parts_.supports.gaps_after(model_, parts_.poses, scheme, d);
+  if (plan_.fixities) parts_.supports.store(parts_.poses, scheme, d, model_);
   model_.blocks.swap(moved_);
   for (const int b : model_.awake_blocks()) model_.place_vertices(b);
   if (plan_.contacts) {

@@ -83,16 +83,16 @@ class Carried {
       for (const int b : model_.held_blocks) holder_[body(b)].add(held_frame(b));
     for (const EdgeFixity& edge : model_.edge_fixities) holder_[body(edge.block)].add(edge_frame(edge));
     find_lying(count);
-    for (size_t b = 0; b < body_of_.size(); ++b) apart_.push_back(lying_[body(int(b))] || !moves(int(b)) ? -1 : body_of_[b]);
-    bodies_ = bodies_of(model_, model_.blocks, apart_);
+    for (size_t b = 0; b < body_of_.size(); ++b) alone_.push_back(lying_[body(int(b))] || !moves(int(b)) ? -1 : body_of_[b]);
+    bodies_ = bodies_of(model_, model_.blocks, alone_);
     for (size_t k = 0; k < bodies_.size(); ++k)
       if (!lying_[k]) frame_[k] = holder_[k].frame(frame_of(bodies_[k]));
   }
   bool moves(int block) const { return model_.shapes[size_t(block)].dofs > 0 && !model_.sleeps(block); }
   const Frame& by(int block) const { return frame_[body(block)]; }
-  bool flies(int block) const { return apart_[size_t(block)] >= 0 && !holder_[body(block)].any(); }
+  bool flies(int block) const { return alone_[size_t(block)] >= 0 && !holder_[body(block)].any(); }
   // Per block its body, or -1 where that lies on something; these bodies, before their blocks move.
-  const std::vector<int>& apart() const { return apart_; }
+  const std::vector<int>& alone() const { return alone_; }
   const std::vector<Body>& bodies() const { return bodies_; }
 
  private:
@@ -155,7 +155,7 @@ class Carried {
 
   const Model& model_;
   const double before_, after_;  // s, y ahead of X
-  std::vector<int> body_of_, apart_;
+  std::vector<int> body_of_, alone_;
   std::vector<Holder> holder_;  // per body
   std::vector<char> lying_;
   std::vector<Frame> frame_;
@@ -177,10 +177,10 @@ std::vector<BlockState> keep_stored(const Model& model, double before, double af
       move_whole(model.shapes[b], seconds, carried.by(int(b)), model.scene.gravity, blocks[b]);
   }
   // What has moved outwards turns more slowly.
-  const std::vector<Body> moved = bodies_of(model, blocks, carried.apart());
+  const std::vector<Body> moved = bodies_of(model, blocks, carried.alone());
   for (size_t b = 0; b < blocks.size(); ++b) {
     if (!carried.flies(int(b))) continue;
-    const size_t body = size_t(carried.apart()[b]);
+    const size_t body = size_t(carried.alone()[b]);
     const Body &was = carried.bodies()[body], &is = moved[body];
     const double faster = was.spin * was.inertia / is.inertia - is.spin;
     const Vec2 turn = faster * perp(Vec2(blocks[b].centroid - is.centroid));

@@ -89,7 +89,7 @@ const std::vector<int>& StepParts::fractures() const {
 
 std::vector<Vec2> StepParts::reactions() {
   prepare_bonds();
-  return support_reactions(model, supports, model.time, ledger.ahead);
+  return support_reactions(model, supports, model.time);
 }
 
 void StepParts::visit_state(StateVisitor& visitor) {

@@ -36,7 +36,7 @@ return {
         .. " (m, s); nil where none has" },
     { "sim:explain(joint)", "in plain words, why a bond has failed or has not: tractions, strengths, how far they are used, which governs,"
         .. " when, and what is left; a joint of this simulation or its number" },
-    { "sim.reactions.name", "{x, y} (N per metre) of the fixities of that name on what they hold" },
+    { "sim.reactions.name", "{x, y} (N per metre) of the fixities of that name on what they hold; in motion those of the last step" },
     { "sim.collapsed", "whether a static run has ended at a load that nothing holds" },
     { "sim.charges[1], sim.charges.name", "the chamber that holds the charge's gas, to be read only: {name, state (\"waiting\", \"pressing\", \"vented\"),"
         .. " vented, vented_at (s), volume, first_volume (m3 per metre), pressure (Pa), front (m), work (J/m, by its law), joined (m3 per"
