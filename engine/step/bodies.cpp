@@ -26,6 +26,7 @@ std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& b
     body.velocity += mass * Vec2(blocks[b].velocity[0], blocks[b].velocity[1]);
   }
   for (Body& body : bodies) {
+    if (body.mass == 0) continue;
     body.centroid /= body.mass;
     body.velocity /= body.mass;
   }
@@ -39,7 +40,8 @@ std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& b
     body.spin += mass * cross(arm, Vec2(v - body.velocity)) + own * state.velocity[2] / length;
     body.inertia += own + mass * arm.squaredNorm();
   }
-  for (Body& body : bodies) body.spin /= body.inertia;
+  for (Body& body : bodies)
+    if (body.mass > 0) body.spin /= body.inertia;
   return bodies;
 }
 

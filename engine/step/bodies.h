@@ -15,7 +15,7 @@ struct Body {
 
 // Per block: which body it is part of.
 std::vector<int> bodies_in(const Model& model);
-// As they are in `blocks`. Blocks with a body below 0 are in none; a body without blocks is of no numbers.
+// As they are in `blocks`. Blocks with a body below 0 are in none; a body without blocks is nought.
 std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& blocks, const std::vector<int>& body_of);
 
 }  // namespace talus

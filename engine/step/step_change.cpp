@@ -65,8 +65,8 @@ class Holder {
     frame_ = frame;
   }
   bool any() const { return any_; }
-  // Of the set, which by itself moves as `own`: by the ground, where that is among several.
-  Frame frame(const Frame& own) const { return !any_ ? own : !several_ ? frame_ : ground_ ? Frame{} : own; }
+  bool one() const { return any_ && (!several_ || ground_); }  // the ground, where that is among several
+  Frame frame(const Frame& own) const { return !one() ? own : several_ ? Frame{} : frame_; }  // own: as the set moves by itself
 
  private:
   bool any_ = false, several_ = false, ground_ = false;
@@ -146,7 +146,7 @@ class Carried {
     }
     std::vector<int> free(body_of_.size(), -1);
     for (size_t b = 0; b < free.size(); ++b)
-      if (pressed[body(int(b))] && moves(int(b)) && !holder[heap(int(b))].any()) free[b] = int(heap(int(b)));
+      if (pressed[body(int(b))] && moves(int(b)) && !holder[heap(int(b))].one()) free[b] = int(heap(int(b)));
     const std::vector<Body> own = bodies_of(model_, model_.blocks, free);
     std::vector<Frame> frames(pressed.size());
     for (size_t k = 0; k < frames.size(); ++k) frames[k] = holder[k].frame(k < own.size() ? frame_of(own[k]) : Frame{});
