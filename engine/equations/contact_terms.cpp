@@ -55,8 +55,9 @@ void ContactTerms::set_rows(const Model& model, const Contact& contact, const Po
   }
 }
 
-void ContactTerms::linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick,
+void ContactTerms::linearise(const Model& model, Poses& poses, const Scheme& scheme, bool stick,
                              std::span<const double> nearness, double pressed) {
+  poses.place_vertices(model);
   factor_ = scheme.contact_d;
   rows_.resize(model.contacts.size() - size_t(model.sleeping_contacts));
   for (size_t k = 0; k < rows_.size(); ++k) {

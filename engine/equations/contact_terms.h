@@ -68,7 +68,7 @@ class ContactTerms {
   // Of what is awake. `stick`: no joint that touches slides, open or not (the settled start). Near is what the velocities bring to within `nearness` times what a
   // contact's neighbours may push it in the step, taken as half of its own relative motion and near_part of the smaller
   // block's √area. Per block, the larger counts; empty: 1. Cohesion counts where the normal force is more than `pressed` of it.
-  void linearise(const Model& model, const Poses& poses, const Scheme& scheme, bool stick,
+  void linearise(const Model& model, Poses& poses, const Scheme& scheme, bool stick,
                  std::span<const double> nearness, double pressed = least_pressed);
   // Becomes the listed rows of `whole`, between the blocks that `place` numbers, whose unknowns begin at `dof_begin`.
   void take_part(const ContactTerms& whole, std::span<const int> rows, const std::vector<int>& place,

@@ -42,14 +42,21 @@ void fly(const BlockShape& shape, const BlockState& state, double seconds, Pose&
 
 void Poses::predict(const Model& model, const Scheme& scheme) {
   blocks.resize(model.blocks.size());
+  for (const int b : model.awake_blocks()) fly(model.shapes[b], model.blocks[b], scheme.mid, blocks[b]);
+}
+
+void Poses::place_vertices(const Model& model) {
   vertex.resize(model.reference_vertex.size());
-  for (const int b : model.awake_blocks()) {
-    const BlockShape& shape = model.shapes[b];
-    fly(shape, model.blocks[b], scheme.mid, blocks[b]);
-    for (int i = shape.vertex_begin; i < shape.vertex_end; ++i)
-      vertex[i] = shape.second_order() ? blocks[b].polygon_vertex(model.reference_vertex[i], model.corner_bend[i])
-                                       : blocks[b].place<first_order_dofs>(model.reference_vertex[i]);
-  }
+  placed_.assign(model.blocks.size(), 0);
+  for (const Contact& contact : model.awake_contacts())
+    for (const int b : {contact.i, contact.j}) {
+      if (placed_[b]) continue;
+      placed_[b] = 1;
+      const BlockShape& shape = model.shapes[b];
+      for (int i = shape.vertex_begin; i < shape.vertex_end; ++i)
+        vertex[i] = shape.second_order() ? blocks[b].polygon_vertex(model.reference_vertex[i], model.corner_bend[i])
+                                         : blocks[b].place<first_order_dofs>(model.reference_vertex[i]);
+    }
 }
 
 }  // namespace talus

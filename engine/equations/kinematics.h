@@ -144,9 +144,13 @@ void fly(const BlockShape& shape, const BlockState& state, double seconds, Pose&
 // All that are awake at the configuration of linearisation.
 struct Poses {
   std::vector<Pose> blocks;
-  std::vector<Vec2> vertex;
+  std::vector<Vec2> vertex;  // of blocks that have contacts, once these have been found
 
   void predict(const Model& model, const Scheme& scheme);
+  void place_vertices(const Model& model);
+
+ private:
+  std::vector<char> placed_;  // per block
 };
 
 }  // namespace talus

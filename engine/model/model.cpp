@@ -124,14 +124,13 @@ double Model::faster_along(int block, const std::array<double, max_dofs>& row) c
 
 void Model::place_vertices() {
   vertex.resize(reference_vertex.size());
-  for (int b = 0; b < int(shapes.size()); ++b) place_vertices(b);
+  for (int b = 0; b < int(shapes.size()); ++b) place_vertices(b, blocks[b], vertex);
 }
 
-void Model::place_vertices(int block) {
-  const BlockState& state = blocks[block];
+void Model::place_vertices(int block, const BlockState& state, std::vector<Vec2>& to) const {
   const Rotation rotation = Rotation::of(state.angle);
   const BlockShape& shape = shapes[block];
-  for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) vertex[v] = vertex_at(block, state, rotation, v);
+  for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) to[v] = vertex_at(block, state, rotation, v);
 }
 
 Vec2 Model::vertex_at(int block, const BlockState& state, const Rotation& rotation, int v) const {

@@ -399,7 +399,7 @@ class Model {
   Vec3 stress(int block) const;       // sxx, syy, sxy, global axes, raw, at the centroid
   Vec3 stress(int block, const Vec2& in_block) const;  // at a material point: another only in a second-order block
   void place_vertices();              // vertex from blocks
-  void place_vertices(int block);
+  void place_vertices(int block, const BlockState& state, std::vector<Vec2>& to) const;
   // Where the block would have the corner `v`, an index into `vertex`, in another state.
   Vec2 vertex_at(int block, const BlockState& state, const Rotation& rotation, int v) const;
   int contact_property(int a, int b) const;

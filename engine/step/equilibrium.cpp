@@ -278,7 +278,7 @@ void Equilibrium::keep_rest(std::vector<BlockState>& moved) {
 void Equilibrium::accept(std::vector<BlockState>& moved, const Vector& d) {
   StepTimer timer(totals_, "update");
   model_.blocks.swap(moved);
-  for (const int b : model_.awake_blocks()) model_.place_vertices(b);
+  model_.place_vertices();
   if (plan_.contacts) parts_.islands.store(model_, parts_.contacts, d, false);
   if (plan_.bonds) parts_.joints.store_tractions(model_);
   if (parts_.fracture) bridges_.store_tractions(model_);

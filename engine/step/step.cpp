@@ -276,18 +276,24 @@ bool Stepper::turns_gain(const Scheme& scheme, const Course& course) {
   return work > most_turning * std::abs(fall);
 }
 
-// Finds moved_ in one pass over what is awake: of many blocks the states are more than caches hold. What sleeps is in it as it is.
+// Finds moved_ and its vertices in one pass over what is awake: of many blocks the states are more than caches hold. What sleeps is in it as it is.
 void Stepper::lead(const Scheme& scheme, Course& course) {
-  if (moved_of_ != model_.sleep_changes) moved_ = model_.blocks;
+  if (moved_of_ != model_.sleep_changes) {
+    moved_ = model_.blocks;
+    moved_vertex_ = model_.vertex;
+  }
   moved_of_ = model_.sleep_changes;
   course.far = 0;
   course.crushed = -1;
   for (const int b : model_.awake_blocks()) {
     if (parts_.islands.rest(b) != Rest::moves) {
       stand(model_.blocks[b], moved_[b]);
+      const auto first = model_.vertex.begin() + model_.shapes[b].vertex_begin, last = model_.vertex.begin() + model_.shapes[b].vertex_end;
+      std::copy(first, last, moved_vertex_.begin() + model_.shapes[b].vertex_begin);
       continue;
     }
     move_block(model_, scheme, course.d, b, moved_[b]);
+    model_.place_vertices(b, moved_[b], moved_vertex_);
     course.far = std::max(course.far, displacement(model_, b, moved_[b]));
     if (course.crushed < 0 && crushed(model_, b, moved_[b])) course.crushed = b;
   }
@@ -338,7 +344,7 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
   book_motion({model_, parts_.poses, parts_.system, parts_.joints, parts_.supports, scheme, d, moved_}, ledger_);
   if (plan_.fixities) parts_.supports.store(parts_.poses, scheme, d, model_);
   model_.blocks.swap(moved_);
-  for (const int b : model_.awake_blocks()) model_.place_vertices(b);
+  model_.vertex.swap(moved_vertex_);
   if (plan_.contacts) {
     parts_.islands.store(model_, parts_.contacts, d, true);
     booking->book(model_, parts_.contacts.rows(), scheme, d, ledger_);

@@ -86,7 +86,8 @@ class Stepper {
   StepSize step_size_;
   BridgeMotion bridge_motion_;
   std::vector<Contact> contacts_before_;  // of what is awake, while a step is attempted
-  std::vector<BlockState> moved_;         // where an attempt at a step leads
+  std::vector<BlockState> moved_;         // where an attempt at a step leads,
+  std::vector<Vec2> moved_vertex_;        // with Model::vertex there
   long moved_of_ = -1;                    // Model::sleep_changes of what sleeps in it
   std::vector<double> nearness_;          // of contacts, per block; empty: 1 (ContactTerms::linearise)
   // Part of its cohesion with which a contact is pressed that has it. With every attempt that finds no solution more: where cohesion lifts what presses
