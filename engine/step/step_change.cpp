@@ -79,14 +79,20 @@ class Carried {
   Carried(const Model& model, double before, double after) : model_(model), before_(before), after_(after), body_of_(bodies_in(model)) {
     const size_t count = size_t(*std::ranges::max_element(body_of_)) + 1;
     holder_.resize(count);
-    if (!model_.joints.empty())
+    if (!model_.joints.empty()) {  // a block by itself flies
       for (const int b : model_.held_blocks) holder_[body(b)].add(held_frame(b));
-    for (const EdgeFixity& edge : model_.edge_fixities) holder_[body(edge.block)].add(edge_frame(edge));
+      for (const EdgeFixity& edge : model_.edge_fixities) holder_[body(edge.block)].add(edge_frame(edge));
+    }
     find_lying(count);
     for (size_t b = 0; b < body_of_.size(); ++b) alone_.push_back(lying_[body(int(b))] || !moves(int(b)) ? -1 : body_of_[b]);
     bodies_ = bodies_of(model_, model_.blocks, alone_);
     for (size_t k = 0; k < bodies_.size(); ++k)
       if (!lying_[k]) frame_[k] = holder_[k].frame(frame_of(bodies_[k]));
+    // What does not yet move with its edge would be thrown by as much as it lags: it keeps its own y.
+    for (size_t b = 0; b < alone_.size(); ++b) {
+      Frame& frame = frame_[body(int(b))];
+      if (alone_[b] >= 0 && holder_[body(int(b))].any() && !slow(model_.shapes[b], model_.blocks[b], frame, before_ - after_, as_at_rest)) frame = {};
+    }
   }
   bool moves(int block) const { return model_.shapes[size_t(block)].dofs > 0 && !model_.sleeps(block); }
   const Frame& by(int block) const { return frame_[body(block)]; }
