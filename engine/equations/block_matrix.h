@@ -48,7 +48,7 @@ class BlockMatrix {
   template <typename Derived>
   void begin(int block, const Eigen::MatrixBase<Derived>& m) {
     const int size = sizes_[size_t(block)], above = above_[size_t(block)];
-    double* to = &values[size_t(column_begin_[size_t(begin_[size_t(block)])])];
+    double* to = values.data() + column_begin_[size_t(begin_[size_t(block)])];  // past the end for a block without unknowns
     for (int j = 0; j < size; ++j) {
       to = std::fill_n(to, above, 0.0);
       for (int i = 0; i <= j; ++i) *to++ = m(i, j);
@@ -118,7 +118,7 @@ class BlockMatrix {
 template <class Pair, class Others>
 double BlockMatrix::form(int block, const Pair& own, Others&& others) const {
   const int size = sizes_[size_t(block)], above = above_[size_t(block)];
-  const double* const first = &values[size_t(column_begin_[size_t(begin_[size_t(block)])])];
+  const double* const first = values.data() + column_begin_[size_t(begin_[size_t(block)])];
   const auto column = [&](int j) { return first + j * above + j * (j + 1) / 2; };
   const auto& [x, y] = own;
   double sum = 0;
