@@ -139,14 +139,9 @@ Supports::Work Supports::work(const Model& model, const Poses& poses, const Sche
   return sum;
 }
 
-std::vector<Vec2> Supports::gaps(const Model& model, double ahead) const {
+std::vector<Vec2> Supports::gaps(const Model& model) const {
   std::vector<Vec2> gaps;
-  for (const SupportPoint& point : points_) {
-    const Fixity& fixity = model.scene.fixities[point.fixity];
-    const auto moved = [&](int thirds) { return fixity.moved(model.time + ahead * thirds / 3); };
-    const Vec2 bend = 4.5 * (moved(3) - 2 * moved(2) + moved(1));  // m, of the parabola through these: from its tangent at the start to its end
-    gaps.push_back(gap_ahead(model, point, ahead) - held_directions(fixity) * bend);
-  }
+  for (const SupportPoint& point : points_) gaps.push_back(gap_ahead(model, point, 0));
   return gaps;
 }
 

@@ -35,9 +35,9 @@ class Supports {
   Work work(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
             const std::vector<BlockState>& moved, double ahead0, double ahead1) const;
 
-  // For Model::support_gaps before the first step, as blocks and fixities go on at the velocities they begin with: by how these become faster later no
-  // support is strained yet.
-  std::vector<Vec2> gaps(const Model& model, double ahead) const;
+  // For Model::support_gaps before the first step: as the blocks lie. What moves against its support as a run begins, or the other way round, has not
+  // strained it yet.
+  std::vector<Vec2> gaps(const Model& model) const;
   // Gaps and tractions of the step with the solution d, before the blocks have moved.
   void store(const Poses& poses, const Scheme& scheme, const Vector& d, Model& model) const;
 

@@ -14,11 +14,10 @@ std::vector<int> bodies_in(const Model& model) {
   return each;
 }
 
-std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& blocks, const std::vector<int>& body_of) {
-  std::vector<Body> bodies;
+std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& blocks, const std::vector<int>& body_of, size_t count) {
+  std::vector<Body> bodies(count);
   for (size_t b = 0; b < blocks.size(); ++b) {
     if (body_of[b] < 0) continue;
-    if (body_of[b] >= int(bodies.size())) bodies.resize(size_t(body_of[b]) + 1);
     Body& body = bodies[size_t(body_of[b])];
     const double mass = model.mass(int(b));
     body.mass += mass;

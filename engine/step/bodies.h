@@ -1,5 +1,6 @@
 #pragma once
 // Blocks that hang together by bonds, each taken as one rigid body.
+#include <algorithm>
 #include <vector>
 
 #include "model/model.h"
@@ -15,7 +16,8 @@ struct Body {
 
 // Per block: which body it is part of.
 std::vector<int> bodies_in(const Model& model);
-// As they are in `blocks`. Blocks with a body below 0 are in none; a body without blocks is nought.
-std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& blocks, const std::vector<int>& body_of);
+inline size_t body_count(const std::vector<int>& body_of) { return body_of.empty() ? 0 : size_t(*std::ranges::max_element(body_of)) + 1; }
+// `count` bodies as they are in `blocks`. Blocks with a body below 0 are in none; a body without blocks is nought.
+std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& blocks, const std::vector<int>& body_of, size_t count);
 
 }  // namespace talus

@@ -1,6 +1,7 @@
 #include "step/step_change.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "equations/block_terms.h"
@@ -19,7 +20,7 @@ struct Frame {
   Vec2 velocity_at(const Vec2& point) const { return velocity + spin * perp(Vec2(point - at)); }
 };
 
-bool operator==(const Frame& a, const Frame& b) { return a.velocity == b.velocity && a.spin == b.spin && (a.spin == 0 || a.at == b.at); }
+bool same_motion(const Frame& a, const Frame& b) { return a.velocity == b.velocity && a.spin == b.spin && (a.spin == 0 || a.at == b.at); }
 Frame frame_of(const Body& body) { return {body.velocity, body.spin, body.centroid}; }
 
 Vec2 linear(const BlockState& state) { return {state.velocity[0], state.velocity[1]}; }
@@ -39,7 +40,8 @@ void move(const BlockShape& shape, double seconds, const Frame& carried, BlockSt
   state.angle += seconds * (state.velocity[2] / shape.length - carried.spin);
 }
 
-// As a whole: it stays at y of what carries it, and likewise where it is weighed.
+// As a whole: it stays at y of what carries it, and likewise where it is weighed, X + weighed_ahead v: g·(move + Δweighed_ahead v) = 0, or less
+// where it hardly falls.
 void move_whole(const BlockShape& shape, double seconds, const Frame& carried, const Vec2& gravity, BlockState& state) {
   const double falls = gravity.dot(linear(state)), against = falls - gravity.dot(carried.velocity_at(state.centroid));
   move(shape, seconds, carried, state);
@@ -50,73 +52,74 @@ void move_whole(const BlockShape& shape, double seconds, const Frame& carried, c
 // as the step changes, as all do that it presses on, is as good as at rest: what its contacts hold counts more than where it flies.
 constexpr double as_at_rest = 1e-4, as_at_rest_sliding = 1e-6;
 
-bool slow(const BlockShape& shape, const BlockState& state, const Frame& carried, double seconds, double part) {
-  const double speed = (linear(state) - carried.velocity_at(state.centroid)).norm(), spin = state.velocity[2] / shape.length - carried.spin;
-  return std::abs(seconds) * (speed + std::abs(spin) * shape.radius) <= part * shape.length;
-}
-
-// What holds parts of a set of blocks: the ground, or what moves.
+// What holds parts of a set of blocks, in each direction: the ground, or what moves.
 class Holder {
  public:
-  void add(const Frame& frame) {
-    several_ = several_ || (any_ && frame != frame_);
-    ground_ = ground_ || frame == Frame{};
-    any_ = true;
-    frame_ = frame;
+  void add(const Frame& frame, const std::array<bool, 2>& held = {true, true}) {
+    for (size_t d = 0; d < 2; ++d) {
+      if (!held[d]) continue;
+      Along& along = along_[d];
+      along.several = along.several || (along.any && !same_motion(frame, along.frame));
+      along.ground = along.ground || same_motion(frame, {});
+      along.any = true;
+      along.frame = frame;
+    }
   }
-  bool any() const { return any_; }
-  bool one() const { return any_ && (!several_ || ground_); }  // the ground, where that is among several
-  Frame frame(const Frame& own) const { return !one() ? own : several_ ? Frame{} : frame_; }  // own: as the set moves by itself
+  bool any() const { return along_[0].any || along_[1].any; }
+  // Of the set, which by itself moves as `own`.
+  Frame frame(const Frame& own) const {
+    const Frame x = along_[0].chosen(own), y = along_[1].chosen(own);
+    if (same_motion(x, y)) return x;
+    return {{x.velocity.x(), y.velocity.y()}};  // a roller, which keeps it from turning
+  }
 
  private:
-  bool any_ = false, several_ = false, ground_ = false;
-  Frame frame_;
+  struct Along {
+    bool any = false, several = false, ground = false;
+    Frame frame;
+    Frame chosen(const Frame& own) const { return !any ? own : !several ? frame : ground ? Frame{} : own; }
+  };
+  std::array<Along, 2> along_;
 };
 
 // What carries each body, blocks that hang together by bonds: what it lies on, what holds it, or else itself.
 class Carried {
  public:
-  Carried(const Model& model, double before, double after) : model_(model), before_(before), after_(after), body_of_(bodies_in(model)) {
-    const size_t count = size_t(*std::ranges::max_element(body_of_)) + 1;
-    holder_.resize(count);
-    if (!model_.joints.empty()) {  // a block by itself flies
-      for (const int b : model_.held_blocks) holder_[body(b)].add(held_frame(b));
-      for (const EdgeFixity& edge : model_.edge_fixities) holder_[body(edge.block)].add(edge_frame(edge));
+  Carried(const Model& model, double before, double after)
+      : model_(model), before_(before), after_(after), body_of_(bodies_in(model)), count_(body_count(body_of_)),
+        way_(count_, Way::flies), frame_(count_) {
+    lie();
+    const std::vector<Holder> holders = fixed(body_of_);
+    const std::vector<Body> own = moving(body_of_);
+    for (size_t k = 0; k < count_; ++k) {
+      if (way_[k] == Way::lies) continue;
+      if (holders[k].any()) way_[k] = Way::is_held;
+      frame_[k] = holders[k].frame(frame_of(own[k]));
     }
-    find_lying(count);
-    for (size_t b = 0; b < body_of_.size(); ++b) alone_.push_back(lying_[body(int(b))] || !moves(int(b)) ? -1 : body_of_[b]);
-    bodies_ = bodies_of(model_, model_.blocks, alone_);
-    for (size_t k = 0; k < bodies_.size(); ++k)
-      if (!lying_[k]) frame_[k] = holder_[k].frame(frame_of(bodies_[k]));
     // What does not yet move with its edge would be thrown by as much as it lags: it keeps its own y.
-    for (size_t b = 0; b < alone_.size(); ++b) {
-      Frame& frame = frame_[body(int(b))];
-      if (alone_[b] >= 0 && holder_[body(int(b))].any() && !slow(model_.shapes[b], model_.blocks[b], frame, before_ - after_, as_at_rest)) frame = {};
-    }
+    for (size_t b = 0; b < body_of_.size(); ++b)
+      if (moves(int(b)) && way_[body(int(b))] == Way::is_held && !slow(int(b), frame_[body(int(b))], as_at_rest)) frame_[body(int(b))] = {};
   }
+
   bool moves(int block) const { return model_.shapes[size_t(block)].dofs > 0 && !model_.sleeps(block); }
+  bool flies(int block) const { return moves(block) && way_[body(block)] == Way::flies; }
   const Frame& by(int block) const { return frame_[body(block)]; }
-  bool flies(int block) const { return alone_[size_t(block)] >= 0 && !holder_[body(block)].any(); }
-  // Per block its body, or -1 where that lies on something; these bodies, before their blocks move.
-  const std::vector<int>& alone() const { return alone_; }
-  const std::vector<Body>& bodies() const { return bodies_; }
+  // Those that fly, as they are in `blocks`; others are nought.
+  std::vector<Body> flying(const std::vector<BlockState>& blocks) const {
+    std::vector<int> of = body_of_;
+    for (size_t b = 0; b < of.size(); ++b)
+      if (!flies(int(b))) of[b] = -1;
+    return bodies_of(model_, blocks, of, count_);
+  }
+  size_t body(int block) const { return size_t(body_of_[size_t(block)]); }
 
  private:
-  size_t body(int block) const { return size_t(body_of_[size_t(block)]); }
-  Frame held_frame(int block) const {  // as the last step ended: so do contacts find its y
-    const BlockState& state = model_.blocks[size_t(block)];
-    return {linear(state) + model_.rising(block), state.velocity[2] / model_.shapes[size_t(block)].length, state.centroid};
-  }
-  Frame edge_frame(const EdgeFixity& edge) const {  // from the one y to the other: supports go by where their fixity is then
-    const Fixity& of = model_.scene.fixities[size_t(edge.fixity)];
-    return {(of.moved(model_.time + before_) - of.moved(model_.time + after_)) / (before_ - after_)};
-  }
+  enum class Way : char { flies, is_held, lies };
 
-  // Which bodies lie on something, slow as above in all their blocks and in all that press on each other with them: one that keeps y beside
-  // one that does not would have their contact pressed by what the one moves. With frames of those.
-  void find_lying(size_t count) {
-    std::vector<char> pressed(count), slides(count), fast(count);
-    DisjointSets heaps(count);
+  // In all of what presses on each other: what keeps y beside what does not would have their contact pressed by what the one moves.
+  void lie() {
+    DisjointSets heaps(count_);
+    std::vector<char> pressed(count_), slides(count_), fast(count_);
     for (const Contact& c : model_.awake_contacts()) {
       if (c.normal_force <= 0) continue;
       for (const int b : {c.i, c.j}) {
@@ -125,47 +128,73 @@ class Carried {
       }
       if (moves(c.i) && moves(c.j)) heaps.join(int(body(c.i)), int(body(c.j)));
     }
-    frame_ = frames_of_heaps(heaps, pressed);
-    for (size_t b = 0; b < model_.blocks.size(); ++b) {
-      const size_t own = body(int(b)), heap = size_t(heaps.root(int(own)));
-      if (!pressed[own] || !moves(int(b))) continue;
-      if (!slow(model_.shapes[b], model_.blocks[b], frame_[heap], before_ - after_, slides[own] ? as_at_rest_sliding : as_at_rest)) fast[heap] = 1;
+    std::vector<int> heap_of = body_of_;
+    for (int& k : heap_of) k = pressed[size_t(k)] ? heaps.root(k) : k;
+    const std::vector<Frame> frames = frames_of_heaps(heap_of);
+    for (size_t b = 0; b < heap_of.size(); ++b) {
+      const size_t heap = size_t(heap_of[b]), own = body(int(b));
+      if (pressed[own] && moves(int(b)) && !slow(int(b), frames[heap], slides[own] ? as_at_rest_sliding : as_at_rest)) fast[heap] = 1;
     }
-    for (size_t k = 0; k < count; ++k) {
-      const size_t heap = size_t(heaps.root(int(k)));  // the least of its bodies: its frame stands there, and stays
-      lying_.push_back(pressed[k] && !fast[heap]);
-      if (lying_[k]) frame_[k] = frame_[heap];
+    for (size_t k = 0; k < count_; ++k) {
+      const size_t heap = size_t(heaps.root(int(k)));
+      if (!pressed[k] || fast[heap]) continue;
+      way_[k] = Way::lies;
+      frame_[k] = frames[heap];
     }
   }
 
-  // By the first body of each heap: of what holds it, or where nothing does, its own.
-  std::vector<Frame> frames_of_heaps(DisjointSets& heaps, const std::vector<char>& pressed) const {
-    std::vector<Holder> holder(pressed.size());
-    const auto heap = [&](int block) { return size_t(heaps.root(int(body(block)))); };
-    for (const EdgeFixity& edge : model_.edge_fixities) holder[heap(edge.block)].add(edge_frame(edge));
-    if (!model_.joints.empty())
-      for (const int b : model_.held_blocks) holder[heap(b)].add(held_frame(b));
+  // Of what holds them, also by lying under them; where nothing does, their own.
+  std::vector<Frame> frames_of_heaps(const std::vector<int>& heap_of) const {
+    std::vector<Holder> holders = fixed(heap_of);
     for (const Contact& c : model_.awake_contacts()) {
       if (c.normal_force <= 0) continue;
       for (const auto& [held, other] : {std::pair(c.i, c.j), std::pair(c.j, c.i)})
-        if (model_.shapes[size_t(held)].dofs == 0) holder[heap(other)].add(held_frame(held));
+        if (model_.shapes[size_t(held)].dofs == 0) holders[size_t(heap_of[size_t(other)])].add(frame_of_held(held));
     }
-    std::vector<int> free(body_of_.size(), -1);
-    for (size_t b = 0; b < free.size(); ++b)
-      if (pressed[body(int(b))] && moves(int(b)) && !holder[heap(int(b))].one()) free[b] = int(heap(int(b)));
-    const std::vector<Body> own = bodies_of(model_, model_.blocks, free);
-    std::vector<Frame> frames(pressed.size());
-    for (size_t k = 0; k < frames.size(); ++k) frames[k] = holder[k].frame(k < own.size() ? frame_of(own[k]) : Frame{});
+    const std::vector<Body> own = moving(heap_of);
+    std::vector<Frame> frames(count_);
+    for (size_t k = 0; k < count_; ++k) frames[k] = holders[k].frame(frame_of(own[k]));
     return frames;
+  }
+
+  // What fixities hold of each set of blocks.
+  std::vector<Holder> fixed(const std::vector<int>& set_of) const {
+    std::vector<Holder> holders(count_);
+    for (const int b : model_.held_blocks) holders[size_t(set_of[size_t(b)])].add(frame_of_held(b));
+    for (const EdgeFixity& edge : model_.edge_fixities) {
+      const Fixity& fixity = model_.scene.fixities[size_t(edge.fixity)];
+      holders[size_t(set_of[size_t(edge.block)])].add(frame_of_edge(fixity), fixity.held);
+    }
+    return holders;
+  }
+  Frame frame_of_held(int block) const {  // as the last step ended: so do contacts find its y
+    const BlockState& state = model_.blocks[size_t(block)];
+    return {linear(state) + model_.rising(block), state.velocity[2] / model_.shapes[size_t(block)].length, state.centroid};
+  }
+  Frame frame_of_edge(const Fixity& of) const {  // from the one y to the other: supports go by where their fixity is then
+    return {(of.moved(model_.time + before_) - of.moved(model_.time + after_)) / (before_ - after_)};
+  }
+
+  // Sets of blocks as they move by themselves.
+  std::vector<Body> moving(std::vector<int> set_of) const {
+    for (size_t b = 0; b < set_of.size(); ++b)
+      if (!moves(int(b))) set_of[b] = -1;
+    return bodies_of(model_, model_.blocks, set_of, count_);
+  }
+
+  bool slow(int block, const Frame& carried, double part) const {
+    const BlockShape& shape = model_.shapes[size_t(block)];
+    const BlockState& state = model_.blocks[size_t(block)];
+    const double speed = (linear(state) - carried.velocity_at(state.centroid)).norm(), spin = state.velocity[2] / shape.length - carried.spin;
+    return std::abs(before_ - after_) * (speed + std::abs(spin) * shape.radius) <= part * shape.length;
   }
 
   const Model& model_;
   const double before_, after_;  // s, y ahead of X
-  std::vector<int> body_of_, alone_;
-  std::vector<Holder> holder_;  // per body
-  std::vector<char> lying_;
+  const std::vector<int> body_of_;
+  const size_t count_;
+  std::vector<Way> way_;
   std::vector<Frame> frame_;
-  std::vector<Body> bodies_;
 };
 
 }  // namespace
@@ -183,11 +212,10 @@ std::vector<BlockState> keep_stored(const Model& model, double before, double af
       move_whole(model.shapes[b], seconds, carried.by(int(b)), model.scene.gravity, blocks[b]);
   }
   // What has moved outwards turns more slowly.
-  const std::vector<Body> moved = bodies_of(model, blocks, carried.alone());
+  const std::vector<Body> before_moving = carried.flying(model.blocks), moved = carried.flying(blocks);
   for (size_t b = 0; b < blocks.size(); ++b) {
     if (!carried.flies(int(b))) continue;
-    const size_t body = size_t(carried.alone()[b]);
-    const Body &was = carried.bodies()[body], &is = moved[body];
+    const Body &was = before_moving[carried.body(int(b))], &is = moved[carried.body(int(b))];
     const double faster = was.spin * was.inertia / is.inertia - is.spin;
     const Vec2 turn = faster * perp(Vec2(blocks[b].centroid - is.centroid));
     blocks[b].velocity[0] += turn.x();

@@ -11,7 +11,7 @@ void StepParts::begin_ledger(double ahead) {
   for (BlockState& state : model.blocks) state.weighed_ahead = 0;
   if (plan.fixities && ledger.ahead > 0) {
     prepare_bonds();
-    model.support_gaps = supports.gaps(model, ledger.ahead);
+    model.support_gaps = supports.gaps(model);
   }
   const Energies now = energies();
   ledger.start_energy = now.total;
