@@ -295,9 +295,9 @@ struct ProbePoint {
   double peak_speed = 0, peak_at = 0;  // m/s, highest of the motion so far; s, when
 };
 
-struct Flight {  // the highest that a block has risen so far in motion
+struct Peak {  // the most that any block has come to so far
   int block = -1;
-  double rise = 0, at = 0;  // m, of its centroid above its place at the start; s
+  double value = 0, at = 0;  // s, when
 };
 
 // A node of the meshes: the corner that several bonded blocks share at the start. For stress recovery.
@@ -347,7 +347,8 @@ class Model {
   std::vector<GasFace> gas_faces;
   std::vector<double> gas_pressure;  // Pa, mean over the step, per chamber
   std::vector<ProbePoint> probes;
-  Flight highest;
+  Peak highest;   // m, of a centroid above its place at the start; in motion
+  Peak strained;  // largest principal strain, by its size (of second-order blocks the mean)
   Nodes nodes;
   std::vector<int> fragment;  // per block: which connected set of intact joints it belongs to; empty where none can break
   std::vector<int> held_by;  // per block: index of the fixity that holds it wholly, or -1

@@ -58,6 +58,7 @@ void visit_state(Model& model, StateVisitor& v) {
   v("viscous_edges", model.viscous_edges);
   v("probes", model.probes);
   v("highest", model.highest);
+  v("strained", model.strained);
   visit_initial_stress(model, v);
   v("added_strain_energy", model.added_strain_energy);
   visit_values(model.scene, v);
@@ -358,10 +359,10 @@ void visit_state(ProbePoint& point, StateVisitor& v) {
   v("peak_at", peak_at);
 }
 
-void visit_state(Flight& flight, StateVisitor& v) {
-  auto& [block, rise, at] = flight;
+void visit_state(Peak& peak, StateVisitor& v) {
+  auto& [block, value, at] = peak;
   v("block", block);
-  v("rise", rise);
+  v("value", value);
   v("at", at);
 }
 

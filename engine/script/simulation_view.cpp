@@ -113,13 +113,12 @@ void push_error(lua_State* L, Simulation& simulation) {
   set_number(L, "norm", std::sqrt(whole.error));
 }
 
-// How high rock has flown; nothing where none has risen.
-void push_highest(lua_State* L, const Model& model) {
-  if (model.highest.block < 0) return lua_pushnil(L);
+void push_peak(lua_State* L, const Peak& peak, const char* value) {
+  if (peak.block < 0) return lua_pushnil(L);
   lua_createtable(L, 0, 3);
-  set_integer(L, "block", model.highest.block + 1);
-  set_number(L, "rise", model.highest.rise);
-  set_number(L, "time", model.highest.at);
+  set_integer(L, "block", peak.block + 1);
+  set_number(L, value, peak.value);
+  set_number(L, "time", peak.at);
 }
 
 // The properties of `sim`, beside its methods.
@@ -147,7 +146,8 @@ const Property properties[] = {
     {"fragments", [](lua_State* L, const Handle& r) { push_fragments(L, r->simulation.model); }},
     {"reactions", [](lua_State* L, const Handle& r) { push_reactions(L, r->simulation); }},
     {"charges", [](lua_State* L, const Handle& r) { push_charges(L, r->simulation); }},
-    {"highest", [](lua_State* L, const Handle& r) { push_highest(L, r->simulation.model); }},
+    {"highest", [](lua_State* L, const Handle& r) { push_peak(L, r->simulation.model.highest, "rise"); }},
+    {"strained", [](lua_State* L, const Handle& r) { push_peak(L, r->simulation.model.strained, "strain"); }},
     {"collapsed", [](lua_State* L, const Handle& r) { lua_pushboolean(L, r->simulation.collapsed()); }},
     {"probes", [](lua_State* L, const Handle& r) { push_table_view(L, r, ViewKind::probes); }},
 };

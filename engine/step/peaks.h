@@ -1,10 +1,13 @@
 #pragma once
-// What a run keeps of its motion beside the present state: the peak velocity at each probe, and how high rock has
-// flown.
+// What a run keeps beside the present state: the peak velocity at each probe, how high rock has flown, and how far blocks were strained.
 #include "model/model.h"
 
 namespace talus {
 
-void keep_peaks(Model& model);  // after each accepted step in motion
+// Stress goes with strain, and the energy of a block that turns is right, as far as their squares do not matter.
+constexpr double small_strain = 0.1;
+
+void keep_peaks(Model& model);     // after each accepted step in motion
+bool keep_strained(Model& model);  // after each; whether a strain has passed small_strain for the first time
 
 }  // namespace talus

@@ -71,6 +71,7 @@ void Simulation::take_step() {
   last.step = totals.steps;
   last.time = model.time;
   if (plan.dynamic) keep_peaks(model);
+  if (keep_strained(model)) notes.push_back(strain_note());
   last.closed_contacts = parts_->closed_contacts();
   totals.end_step(totals.steps == 1 || finished());
 }
@@ -82,6 +83,16 @@ void Simulation::refuse_driven_in() const {
   std::snprintf(depth, sizeof depth, "%.3g", c->normal_force / c->normal_stiffness);
   throw RunError("t = " + std::to_string(model.time) + " s: " + block_name(model, c->i) + " is pressed in by " + depth + " m where it meets " + block_name(model, c->j) +
                  ", more than a tenth of the smaller one's size: what is driven there cannot give way, or joint.stiffness is too little for what it bears");
+}
+
+std::string Simulation::strain_note() const {
+  const auto& [block, strain, at] = model.strained;
+  char text[400];
+  std::snprintf(text, sizeof text,
+                "t = %.6g s: %s is strained by %.3g (sim.strained has the largest): linear elasticity is for small strains, and beyond %g energy may be unexplained; is material.young, "
+                "%.3g Pa, too little for what acts?",
+                at, block_name(model, block).c_str(), strain, small_strain, model.material(block).young);
+  return text;
 }
 
 // Load steps are even parts of t_end; bonds that fail, and increments cut short because one will, come between.

@@ -75,6 +75,7 @@ class Simulation {
   Visitor visited() const;  // by a visitor that only reads
   void take_step();
   void refuse_driven_in() const;
+  std::string strain_note() const;
   void begin_ledger();
   void book_change();
   std::string settle();  // equilibrium, with the initial velocities kept; what is to be said where there is none

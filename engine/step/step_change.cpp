@@ -160,7 +160,8 @@ class Carried {
   // What fixities hold of each set of blocks.
   std::vector<Holder> fixed(const std::vector<int>& set_of) const {
     std::vector<Holder> holders(count_);
-    for (const int b : model_.held_blocks) holders[size_t(set_of[size_t(b)])].add(frame_of_held(b));
+    if (!model_.joints.empty())
+      for (const int b : model_.held_blocks) holders[size_t(set_of[size_t(b)])].add(frame_of_held(b));
     for (const EdgeFixity& edge : model_.edge_fixities) {
       const Fixity& fixity = model_.scene.fixities[size_t(edge.fixity)];
       holders[size_t(set_of[size_t(edge.block)])].add(frame_of_edge(fixity), fixity.held);

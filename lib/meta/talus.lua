@@ -846,6 +846,7 @@ function talus.latin_hypercube(fields) end
 ---@field reactions table
 ---@field charges table
 ---@field highest table?
+---@field strained table?
 ---@field collapsed boolean
 local run = {}
 

@@ -90,7 +90,7 @@ local function run_lines(lines)
   for _, field in ipairs { "time number s", "dt number s, of the last step", "finished boolean", "last table", "energy table<string, number> J/m",
       "totals table", "state table", "blocks table<integer, talus.block>", "joints table<integer, talus.joint_state>",
       "contacts table<integer, talus.contact_state>", "probes table<string, talus.probe_state>", "cracks table", "fragments table", "reactions table",
-      "charges table", "highest table?", "collapsed boolean" } do
+      "charges table", "highest table?", "strained table?", "collapsed boolean" } do
     lines[#lines + 1] = "---@field " .. field
   end
   lines[#lines + 1] = "local run = {}\n"

@@ -34,6 +34,8 @@ return {
         .. " or viscous edge), area, mass, size, x, y, ux, uy, vx, vy}, … }; size: diameter of the disc of its area (m)" },
     { "sim.highest", "in motion: {block, rise, time}, the highest that the centroid of any block has risen above its place at the start"
         .. " (m, s); nil where none has" },
+    { "sim.strained", "{block, strain, time}, the largest principal strain of any block so far, by its size (of second-order blocks their mean); nil where none has"
+        .. " strained. Linear elasticity is for small ones: beyond 0.1 a note says so" },
     { "sim:explain(joint)", "in plain words, why a bond has failed or has not: tractions, strengths, how far they are used, which governs,"
         .. " when, and what is left; a joint of this simulation or its number" },
     { "sim.reactions.name", "{x, y} (N per metre) of the fixities of that name on what they hold; in motion those of the last step" },
