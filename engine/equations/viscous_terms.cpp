@@ -121,15 +121,17 @@ void each_viscous_traction(const Model& model, const Poses& poses, const LoadVis
   }
 }
 
-double viscous_form(const Model& model, const Poses& poses, const TwoOfBlock& of) {
-  double sum = 0;
+ViscousForms viscous_forms(const Model& model, const Poses& poses, const TwoOfBlock& of) {
+  ViscousForms sum;
   for (const ViscousEdge& edge : model.viscous_edges) {
     if (model.sleeps(edge.block)) continue;
     const int dofs = model.shapes[edge.block].dofs;
     const auto [a, b] = of(edge.block);
     with_size(model.shapes[edge.block].second_order(), [&](auto n) {
-      const MatrixOf<n> c = damping<n>(model, edge, poses.blocks[edge.block]);
-      sum += a.head(dofs).dot(c.topLeftCorner(dofs, dofs) * b.head(dofs));
+      const MatrixOf<n> whole = damping<n>(model, edge, poses.blocks[edge.block]);
+      const auto c = whole.topLeftCorner(dofs, dofs);
+      sum.own += a.head(dofs).dot(c * a.head(dofs));
+      sum.mixed += a.head(dofs).dot(c * b.head(dofs));
     });
   }
   return sum;

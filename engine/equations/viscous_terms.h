@@ -23,8 +23,11 @@ double viscous_hold_energy(const Model& model);  // J/m, of the springs
 // Each force (N/m) of the tractions that stay on a block that is awake, and where it acts.
 void each_viscous_traction(const Model& model, const Poses& poses, const LoadVisitor& visit);
 
-// Σ aᵀ C b of what is awake, with a and b block by block.
+// Of what is awake, with a and b block by block.
+struct ViscousForms {
+  double own = 0, mixed = 0;  // Σ aᵀ C a, Σ aᵀ C b
+};
 using TwoOfBlock = std::function<std::pair<ColumnOf<max_dofs>, ColumnOf<max_dofs>>(int block)>;
-double viscous_form(const Model& model, const Poses& poses, const TwoOfBlock& of);
+ViscousForms viscous_forms(const Model& model, const Poses& poses, const TwoOfBlock& of);
 
 }  // namespace talus

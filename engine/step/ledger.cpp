@@ -50,13 +50,9 @@ void book_blocks(const BookedStep& s, Ledger& ledger) {
     all += s.system.matrix.form(b, own, motion);
     with_size(shape.second_order(), [&](auto n) { inertial += step.template head<n>().dot(mass_matrix_of<n>(model, b) * w.template head<n>()); });
   }
-  const double dashpots = s.scheme.velocity_d / 2 * viscous_form(model, s.poses, motion);
-  ledger.numerical_flow += (all - s.scheme.inertia * inertial - dashpots) / s.scheme.bond_d;
-  const auto along = [&s](int block) {
-    const ColumnOf<max_dofs> step = motion_of(s, block).first;
-    return Motion{step, step};
-  };
-  ledger.viscous_work += viscous_form(model, s.poses, along) / s.scheme.dt;
+  const ViscousForms dashpots = viscous_forms(model, s.poses, motion);
+  ledger.numerical_flow += (all - s.scheme.inertia * inertial - s.scheme.velocity_d / 2 * dashpots.mixed) / s.scheme.bond_d;
+  ledger.viscous_work += dashpots.own / s.scheme.dt;
 }
 
 double squared(double x) {
@@ -103,7 +99,7 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   const auto load = [&](int block, const auto& force, double& work) {
     constexpr int n = std::decay_t<decltype(force)>::RowsAtCompileTime;
     const ColumnOf<n> v0 = velocity_of<n>(model, block), d = of_block<n>(model.shapes[block], s.d);
-    const double along_x = force.dot(s.scheme.step_v * v0 + s.scheme.move_d * d);
+    const double along_x = force.dot(motion_of(s, block).first.template head<n>());
     const double shift = force.dot(after * (v0 + s.scheme.velocity_d * d) - before * v0);
     work += along_x + shift;
     ledger.numerical_flow += shift;
@@ -120,10 +116,8 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   });
   each_gas_load(model, s.poses, [&](int block, const LoadPoint& point, const Vec2& force) {  // along X, as the law's work is
     if (model.shapes[block].dofs == 0) return;
-    with_size(model.shapes[block].second_order(), [&](auto n) {
-      const ColumnOf<n> step = s.scheme.step_v * velocity_of<n>(model, block) + s.scheme.move_d * of_block<n>(model.shapes[block], s.d);
-      ledger.gas_work += force_on<n>(s.poses.blocks[block], point, force).dot(step);
-    });
+    with_size(model.shapes[block].second_order(),
+              [&](auto n) { ledger.gas_work += force_on<n>(s.poses.blocks[block], point, force).dot(motion_of(s, block).first.template head<n>()); });
   });
   const auto pushed = [](const Region& region) { return region.body_force[0].given() || region.body_force[1].given(); };
   if (std::ranges::any_of(model.scene.regions, pushed))
