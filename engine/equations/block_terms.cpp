@@ -102,7 +102,7 @@ double moment_of_inertia(const Model& model, int block, const Vec3& e, const Apa
 
 Vec2 body_force(const Model& model, int region, double density, double t) {
   const auto& own = model.scene.regions[region].body_force;
-  return density * model.scene.gravity + Vec2(own[0].at(t), own[1].at(t));
+  return density * model.scene.gravity + Vec2(model.load(own[0], t), model.load(own[1], t));
 }
 
 void add_hold(const Model& model, const std::vector<double>& hold, const Vector& lead, System& system) {

@@ -29,16 +29,16 @@ void each_load(const Model& model, const Poses& poses, double time, const LoadVi
     if (model.sleeps(point.block)) continue;
     const PointLoad& load = model.scene.point_loads[point.load];
     visit(point.block, {point.in_block, poses.blocks[point.block].place(point.in_block)},
-          point.share * Vec2(load.force[0].at(time), load.force[1].at(time)));
+          point.share * Vec2(model.load(load.force[0], time), model.load(load.force[1], time)));
   }
   for (const EdgeForce& edge : model.edge_forces) {
     if (model.sleeps(edge.block)) continue;
     const EdgeLoad& load = model.scene.edge_loads[edge.load];
     const Pose& pose = poses.blocks[edge.block];
     const Vec2 from = pose.place(edge.in_block[0]), to = pose.place(edge.in_block[1]);
-    const Vec2 force = load.is_pressure ? Vec2(load.traction[0].at(time) * perp(to - from))
+    const Vec2 force = load.is_pressure ? Vec2(model.load(load.traction[0], time) * perp(to - from))
                                         : Vec2((edge.in_block[1] - edge.in_block[0]).norm() *
-                                               Vec2(load.traction[0].at(time), load.traction[1].at(time)));
+                                               Vec2(model.load(load.traction[0], time), model.load(load.traction[1], time)));
     spread(model.shapes[edge.block], pose, edge.block, edge.in_block, (from + to) / 2, force, visit);
   }
 }
@@ -103,7 +103,7 @@ void place_held_blocks(Model& model) {
   std::unordered_map<int, Vec2> moved;
   for (const int b : model.held_blocks) {
     if (model.held_by[b] < 0) continue;
-    const Vec2 to = model.scene.fixities[model.held_by[b]].moved(model.time);
+    const Vec2 to = model.moved(model.scene.fixities[model.held_by[b]], model.time);
     if (to == model.blocks[b].shift) continue;
     moved[b] = to - model.blocks[b].shift;
     model.blocks[b].shift = to;

@@ -25,7 +25,7 @@ struct Held {
 Vec2 gap_ahead(const Model& model, const SupportPoint& point, double seconds) {
   const Fixity& fixity = model.scene.fixities[point.fixity];
   const Pose pose = flown(model, point.block, 0);
-  return held_directions(fixity) * (fixity.moved(model.time + seconds) - pose.displacement(point.in_block) - seconds * pose.velocity_at(point.in_block));
+  return held_directions(fixity) * (model.moved(fixity, model.time + seconds) - pose.displacement(point.in_block) - seconds * pose.velocity_at(point.in_block));
 }
 
 // Where y is not X, as it was solved for.
@@ -43,7 +43,7 @@ Held<n> held_at(const Model& model, const SupportPoint& point, const Pose& pose,
     return p.displacement(point.in_block) + scheme.bond_ahead * p.velocity_at(point.in_block);
   };
   const Vec2 displacement = (1 - scheme.bond_end) * ahead(start) + scheme.bond_end * ahead(end);
-  const Vec2 wanted = fixity.moved(model.time + scheme.hold_time);
+  const Vec2 wanted = model.moved(fixity, model.time + scheme.hold_time);
   Held<n> h;
   h.displacement = held * pose.rows<n>(point.in_block, pose.place(point.in_block));
   h.flux = RowsOf<n>::Zero();
@@ -166,7 +166,7 @@ std::vector<Vec2> Supports::reactions(const Model& model, double t) const {
   for (const SupportPoint& point : points_) {
     const auto at_rest = [&] {
       const Pose pose = flown(model, point.block, 0);
-      const Vec2 gap = model.scene.fixities[point.fixity].moved(t) - pose.displacement(point.in_block);
+      const Vec2 gap = model.moved(model.scene.fixities[point.fixity], t) - pose.displacement(point.in_block);
       return Vec2(held_directions(model.scene.fixities[point.fixity]) * (side_of(model, pose, point.block, point.normal, 1).traction_at(point.in_block, 0) + point.stiffness * gap));
     };
     sum[point.fixity] += point.weight * (model.support_tractions.empty() ? at_rest() : model.support_tractions[size_t(point.number)]);

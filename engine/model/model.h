@@ -9,6 +9,7 @@
 #include <ranges>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -295,6 +296,10 @@ struct ProbePoint {
   double peak_speed = 0, peak_at = 0;  // m/s, highest of the motion so far; s, when
 };
 
+struct LoadWay {  // in a part of a load step: loads and supports are on the way to those of Model::time
+  double from = 0, part = 1;  // s, when they were those they come from; how far they have come
+};
+
 struct Peak {  // the most that any block has come to so far
   int block = -1;
   double value = 0, at = 0;  // s, when
@@ -347,6 +352,7 @@ class Model {
   std::vector<GasFace> gas_faces;
   std::vector<double> gas_pressure;  // Pa, mean over the step, per chamber
   std::vector<ProbePoint> probes;
+  LoadWay load_way;
   Peak highest;   // m, of a centroid above its place at the start; in motion
   Peak strained;  // largest principal strain, by its size (of second-order blocks the mean)
   Nodes nodes;
@@ -362,6 +368,13 @@ class Model {
 
   int vertex_count(int block) const { return shapes[block].vertex_end - shapes[block].vertex_begin; }
   int next_vertex(int block, int local) const { return local + 1 == vertex_count(block) ? 0 : local + 1; }
+  // Of a load, and m of a fixity, at the time t.
+  double load(const History& history, double t) const {
+    return on_the_way(t, [&](double at) { return history.at(at); });
+  }
+  Vec2 moved(const Fixity& fixity, double t) const {
+    return on_the_way(t, [&](double at) { return fixity.moved(at); });
+  }
   const Material& material(int block) const { return scene.materials[shapes[block].material]; }
 
   bool sleeps(int block) const { return !asleep.empty() && asleep[block] != 0; }
@@ -410,6 +423,11 @@ class Model {
   Strength contact_strength(const Contact& contact) const;
 
  private:
+  template <class Of>
+  std::invoke_result_t<Of, double> on_the_way(double t, Of of) const {
+    if (load_way.part == 1 || t != time) return of(t);
+    return (1 - load_way.part) * of(load_way.from) + load_way.part * of(t);
+  }
   Vec2 velocity_on_bent_edge(int block, int edge, const Vec2& point) const;
   Vec2 bent_velocity(int block, const Vec2& point) const;
   Vec2 bent_corner_velocity(int block, int v) const;

@@ -222,11 +222,11 @@ void BridgeBooking::book(const Model& model, double taken, Ledger& ledger) const
 }
 
 LoadStepBooking::LoadStepBooking(const Model& model, const Supports& supports, double time, bool unloaded)
-    : time_(time),
-      unloaded_(unloaded),
+    : unloaded_(unloaded),
       forces_(forces(model, unloaded ? model.time : time)),  // unloaded: for their places alone
       reactions_(support_reactions(model, supports, time)) {
   for (const BlockState& state : model.blocks) centroids_.push_back(state.centroid);
+  for (const Fixity& fixity : model.scene.fixities) moved_.push_back(model.moved(fixity, time));
 }
 
 void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledger) const {
@@ -240,8 +240,7 @@ void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledge
                              model.scene.gravity.dot(model.blocks[b].centroid - centroids_[b]);
   const std::vector<Vec2> reaction = support_reactions(model, supports, model.time);
   for (size_t f = 0; f < reaction.size(); ++f) {
-    const Fixity& fixity = model.scene.fixities[f];
-    const Vec2 moved = fixity.moved(model.time) - fixity.moved(time_);
+    const Vec2 moved = model.moved(model.scene.fixities[f], model.time) - moved_[f];
     ledger.boundary_work += (reactions_[f] + reaction[f]).dot(moved) / 2;
   }
   for (Contact& c : model.contacts) {

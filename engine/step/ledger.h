@@ -119,10 +119,9 @@ class LoadStepBooking {
     Vec2 force, place;  // N/m, m
   };
   static std::vector<Force> forces(const Model& model, double time);
-  double time_;
   bool unloaded_;
   std::vector<Force> forces_;
-  std::vector<Vec2> centroids_, reactions_;
+  std::vector<Vec2> centroids_, reactions_, moved_;
 };
 
 }  // namespace talus

@@ -17,8 +17,8 @@ constexpr double least_increment = 1e-6;  // part of t_end
 // this part of the work put in by it is taken in quarters, down to this part of a load step. What is given off in the shortest is a jump.
 constexpr double most_bend = 0.01;
 constexpr double least_bend = 1e-6;  // part of the ledger's scale: what moves along free is not looked at so closely
-constexpr double finest_increment = 1.0 / 256;
-constexpr double same_bend = 0.01;  // part, by which two parts of a load step are off alike: a jump of loads, which no part resolves
+constexpr double finest_increment = 1.0 / 256;  // and of the way of loads in a jump
+constexpr double same_bend = 0.01;  // part, by which two parts of a load step are off alike: loads jump, which no part of the time resolves
 // Bounds of a load step, so that it ends whatever its contacts and bonds do. What stands is found in some hundreds of
 // solves, also where bonds soften near their limit.
 constexpr int most_search_solves = 1000;  // of one look for equilibrium
@@ -40,6 +40,18 @@ void add_part(const StepReport& part, StepReport& whole) {
   whole.residual = std::max(whole.residual, part.residual);
   whole.displacement += part.displacement;  // at most
 }
+
+class LoadsOnTheWay {  // while this lives
+ public:
+  LoadsOnTheWay(Model& model, double from, double part) : model_(model) { model_.load_way = {from, part}; }
+  ~LoadsOnTheWay() { model_.load_way = {}; }
+  LoadsOnTheWay(const LoadsOnTheWay&) = delete;
+  LoadsOnTheWay& operator=(const LoadsOnTheWay&) = delete;
+  void come(double part) { model_.load_way.part = part; }
+
+ private:
+  Model& model_;
+};
 
 class Unstressed {  // blocks without their initial stress, while this lives
  public:
@@ -81,13 +93,14 @@ StepReport LoadSteps::take(double to, bool first) {
   return due.empty() ? raise_load(to, first) : break_bonds(due);
 }
 
-// Where no bond can fail. What slides to and fro in it is followed to where it turns round, in parts.
+// Where no bond can fail. What slides to and fro in it is followed to where it turns round, in parts of its time, and where loads jump of their way.
 StepReport LoadSteps::load(double to, bool first) {
   const bool moving = moves_supports(model_.scene);  // the script may have let one go since the plan was made
   const bool slides = plan_.contacts && loads_change(model_.scene);
   const double target = plan_.contacts && moving ? reachable(to) : to;
   StepReport report;
-  double from = model_.time, until = target, left = 0;  // left: J/m, unexplained by the last attempt that was thrown away
+  Part part{model_.time, target};
+  double left = 0;  // J/m, unexplained by the last attempt that was thrown away
   for (;;) {
     std::optional<Restored> attempt;
     std::optional<Closure> closure;
@@ -95,30 +108,47 @@ StepReport LoadSteps::load(double to, bool first) {
       attempt.emplace(model_);
       closure.emplace(model_, parts_.joints, std::vector<int>{});
     }
-    model_.time = until;
-    const LoadStepBooking booking(model_, parts_.supports, from, first);
+    model_.time = part.until;
+    LoadsOnTheWay loads(model_, part.from, part.come);
+    const LoadStepBooking booking(model_, parts_.supports, part.come > 0 ? part.until : part.from, first);
+    loads.come(part.go);
     const Ledger before = ledger_;
     EquilibriumSearch search;
     search.in_place = !moving;
     if (!equilibrium_.balance(search)) equilibrium_.give_up(search);
     book(booking, first);
     const double off = closure ? closure->work(model_, ledger_.friction_work - before.friction_work) : 0;
-    if (std::abs(off) > bend_allowed(before, ledger_) && std::abs(off - left) > same_bend * std::abs(off) && may_quarter(until - from)) {
+    if (std::abs(off) > bend_allowed(before, ledger_) && quarter(part, std::abs(off - left) <= same_bend * std::abs(off), first)) {
       left = off;
       ledger_ = before;
-      until = from + (until - from) / 4;
       ++report.cuts;
       ++totals_.cuts;
       continue;
     }
     if (attempt) attempt->keep();
     add_part(search.report, report);
-    if (until == target) return report;
-    for (Fixity& fixity : model_.scene.fixities) fixity.go_on(until);
-    from = until;
-    until = target;
     first = false;
+    left = 0;
+    if (part.go < 1) {
+      part.come = std::exchange(part.go, 1);
+      continue;
+    }
+    if (part.until == target) return report;
+    for (Fixity& fixity : model_.scene.fixities) fixity.go_on(part.until);
+    part = {part.until, target};
   }
+}
+
+// `alike`: the last quarter was off by as much. What loads grow from in the first is no load at all.
+bool LoadSteps::quarter(Part& part, bool alike, bool first) const {
+  const bool jumps = part.come > 0 || part.go < 1;
+  if (!jumps && !alike && may_quarter(part.until - part.from)) {
+    part.until = part.from + (part.until - part.from) / 4;
+    return true;
+  }
+  if (first || (!jumps && !alike) || part.go - part.come <= finest_increment) return false;
+  part.go = part.come + (part.go - part.come) / 4;
+  return true;
 }
 
 // Whether a part of a load step may still be taken in quarters.

@@ -21,9 +21,16 @@ class LoadSteps {
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
 
  private:
+  // Of a load step: from one time to another, or of the way of loads that jump between these.
+  struct Part {
+    double from, until;       // s
+    double come = 0, go = 1;  // parts of the way
+  };
+
   StepReport take(double to, bool first);
   StepReport load(double to, bool first);
   bool may_quarter(double increment) const;
+  bool quarter(Part& part, bool alike, bool first) const;
   double reachable(double to) const;
   double foreseen(double from, double to, double utilisation) const;
   StepReport raise_load(double to, bool first);
