@@ -25,7 +25,6 @@ struct Scheme {
   double bond_end = 1, bond_ahead = 0;  // -, s
   double contact_v = 0, contact_d = 0;
   double load_time = 0;  // s from the start: when loads are read
-  double hold_time = 0;  // s from the start: when prescribed displacements are read
 
   // Velocity θ-scheme: positions by the mean of old and new velocity (exact for constant acceleration);
   // strains and gaps are those of X + (θ-½) Δt v, bulk and bonds at θ of the step, contacts at its end.
@@ -45,7 +44,6 @@ struct Scheme {
     s.contact_v = theta * dt;
     s.contact_d = theta;
     s.load_time = dt / 2;
-    s.hold_time = s.mid + s.bond_v;
     return s;
   }
 
@@ -57,7 +55,6 @@ struct Scheme {
     s.bond_end = 1;
     s.bond_ahead = 0;
     s.load_time = dt;
-    s.hold_time = dt;
     return s;
   }
 

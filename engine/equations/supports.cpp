@@ -21,16 +21,21 @@ struct Held {
   Vec2 gap, traction;            // m, Pa, at d = 0
 };
 
-// m, in the held directions, `seconds` along the present velocities.
-Vec2 gap_ahead(const Model& model, const SupportPoint& point, double seconds) {
+// m, in the held directions, of what lies as it does.
+Vec2 gap_at_rest(const Model& model, const SupportPoint& point, double t) {
   const Fixity& fixity = model.scene.fixities[point.fixity];
-  const Pose pose = flown(model, point.block, 0);
-  return held_directions(fixity) * (model.moved(fixity, model.time + seconds) - pose.displacement(point.in_block) - seconds * pose.velocity_at(point.in_block));
+  return held_directions(fixity) * (model.moved(fixity, t) - flown(model, point.block, 0).displacement(point.in_block));
 }
 
 // Where y is not X, as it was solved for.
 Vec2 gap_now(const Model& model, const SupportPoint& point, double ahead) {
-  return ahead == 0 || model.support_gaps.empty() ? gap_ahead(model, point, ahead) : model.support_gaps[size_t(point.number)];
+  return ahead == 0 || model.support_gaps.empty() ? gap_at_rest(model, point, model.time) : model.support_gaps[size_t(point.number)];
+}
+
+// m, of where a fixity is at y as a step of dt ends: as it would go on. It may jump then, which no block that it holds can know.
+Vec2 wanted_at_end(const Model& model, const Fixity& fixity, const Scheme& scheme) {
+  const double end = model.time + scheme.dt;
+  return model.moved(fixity, end) + scheme.bond_ahead * fixity.speed(end, scheme.dt);
 }
 
 template <int n>
@@ -38,12 +43,8 @@ Held<n> held_at(const Model& model, const SupportPoint& point, const Pose& pose,
   const Fixity& fixity = model.scene.fixities[point.fixity];
   const Mat2 held = held_directions(fixity);
   const Side side = side_of(model, pose, point.block, point.normal, 1);
-  const Pose start = flown(model, point.block, 0), end = flown(model, point.block, scheme.dt);
-  const auto ahead = [&](const Pose& p) -> Vec2 {
-    return p.displacement(point.in_block) + scheme.bond_ahead * p.velocity_at(point.in_block);
-  };
-  const Vec2 displacement = (1 - scheme.bond_end) * ahead(start) + scheme.bond_end * ahead(end);
-  const Vec2 wanted = model.moved(fixity, model.time + scheme.hold_time);
+  const Pose end = flown(model, point.block, scheme.dt);
+  const Vec2 ahead = end.displacement(point.in_block) + scheme.bond_ahead * end.velocity_at(point.in_block);
   Held<n> h;
   h.displacement = held * pose.rows<n>(point.in_block, pose.place(point.in_block));
   h.flux = RowsOf<n>::Zero();
@@ -52,8 +53,8 @@ Held<n> held_at(const Model& model, const SupportPoint& point, const Pose& pose,
     h.flux = held * side.flux<n>(point.in_block);
     h.traction = held * side.traction_at(point.in_block, scheme.bond_v);
   }
-  h.gap = held * (wanted - displacement) +
-          (1 - scheme.bond_end) * (gap_now(model, point, scheme.bond_ahead) - gap_ahead(model, point, scheme.bond_ahead));
+  h.gap = scheme.bond_end * held * (wanted_at_end(model, fixity, scheme) - ahead);
+  if (scheme.bond_end < 1) h.gap += (1 - scheme.bond_end) * gap_now(model, point, scheme.bond_ahead);
   return h;
 }
 
@@ -131,7 +132,8 @@ Supports::Work Supports::work(const Model& model, const Poses& poses, const Sche
       sum.numerical += form(jump, jump_w) - form(-t * step, -t * w);
       if (fixity.motion == Fixity::none) return;
       const Vec2 force = point.weight * (traction + scheme.bond_d * (s * own) + point.stiffness * mean);
-      const Vec2 moved_x = wanted(scheme.dt) - wanted(0), moved_y = wanted(scheme.dt + ahead1) - wanted(ahead0);
+      const Vec2 before_y = model.support_speeds.empty() ? Vec2(0, 0) : Vec2(ahead0 * held * model.support_speeds[size_t(point.fixity)]);
+      const Vec2 moved_x = wanted(scheme.dt) - wanted(0), moved_y = moved_x + ahead1 * held * fixity.speed(model.time + scheme.dt, scheme.dt) - before_y;
       sum.boundary += force.dot(moved_y);
       sum.numerical += force.dot(moved_y - moved_x);
     });
@@ -141,12 +143,14 @@ Supports::Work Supports::work(const Model& model, const Poses& poses, const Sche
 
 std::vector<Vec2> Supports::gaps(const Model& model) const {
   std::vector<Vec2> gaps;
-  for (const SupportPoint& point : points_) gaps.push_back(gap_ahead(model, point, 0));
+  for (const SupportPoint& point : points_) gaps.push_back(gap_at_rest(model, point, model.time));
   return gaps;
 }
 
 void Supports::store(const Poses& poses, const Scheme& scheme, const Vector& d, Model& model) const {
   model.support_tractions.resize(points_.size(), Vec2::Zero());
+  model.support_speeds.clear();
+  for (const Fixity& fixity : model.scene.fixities) model.support_speeds.push_back(fixity.speed(model.time + scheme.dt, scheme.dt));
   for (const SupportPoint& point : points_) {
     if (model.sleeps(point.block)) continue;
     with_size(model.shapes[point.block].second_order(), [&](auto n) {
@@ -166,8 +170,8 @@ std::vector<Vec2> Supports::reactions(const Model& model, double t) const {
   for (const SupportPoint& point : points_) {
     const auto at_rest = [&] {
       const Pose pose = flown(model, point.block, 0);
-      const Vec2 gap = model.moved(model.scene.fixities[point.fixity], t) - pose.displacement(point.in_block);
-      return Vec2(held_directions(model.scene.fixities[point.fixity]) * (side_of(model, pose, point.block, point.normal, 1).traction_at(point.in_block, 0) + point.stiffness * gap));
+      const Vec2 traction = side_of(model, pose, point.block, point.normal, 1).traction_at(point.in_block, 0);
+      return Vec2(held_directions(model.scene.fixities[point.fixity]) * traction + point.stiffness * gap_at_rest(model, point, t));
     };
     sum[point.fixity] += point.weight * (model.support_tractions.empty() ? at_rest() : model.support_tractions[size_t(point.number)]);
   }

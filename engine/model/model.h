@@ -344,6 +344,7 @@ class Model {
   // m, in motion, of each point of a support (equations/supports.h): the gap at y that the last step was solved for. As the blocks lie, one that
   // turns has come off by as much as the way of a step bends, for which no force answers.
   std::vector<Vec2> support_gaps;
+  std::vector<Vec2> support_speeds;     // m/s, likewise, of each fixity: as the last step ended
   std::vector<Vec2> support_tractions;  // Pa, likewise, in the directions held: that of the last step
   std::vector<ViscousEdge> viscous_edges;
   std::vector<PointForce> point_forces;

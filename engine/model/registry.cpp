@@ -53,6 +53,7 @@ void visit_state(Model& model, StateVisitor& v) {
   v.growing("asleep", model.asleep);
   v("sleeping_contacts", model.sleeping_contacts);
   v.growing("support_gaps", model.support_gaps);
+  v.growing("support_speeds", model.support_speeds);
   v.growing("support_tractions", model.support_tractions);
   v.growing("held_rising", model.held_rising);
   v("viscous_edges", model.viscous_edges);

@@ -154,6 +154,13 @@ struct Fixity {
     if (motion == displacement) return {value[0].at(t), value[1].at(t)};
     return gone + Vec2(value[0].integral(since, t), value[1].integral(since, t));
   }
+  // m/s, as a step of `span` s ends at t: by the last of it, so that what jumps then has not jumped yet.
+  Vec2 speed(double t, double span) const {
+    if (motion == none || span == 0) return Vec2::Zero();
+    const double last = span / 64;
+    if (motion == velocity) return {value[0].at(t - last), value[1].at(t - last)};
+    return (moved(t) - moved(t - last)) / last;
+  }
   void go_on(double t) {  // after a step
     if (motion != velocity || (!value[0].is_function() && !value[1].is_function())) return;
     gone = moved(t);

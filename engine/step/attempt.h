@@ -30,6 +30,7 @@ class Attempt {
       model_.blocks = std::move(blocks_);
       model_.vertex = std::move(vertex_);
       model_.support_gaps = std::move(support_gaps_);
+      model_.support_speeds = std::move(support_speeds_);
     }
     ledger_ = before_;
     if (fracture_) fracture_->heal();
@@ -43,6 +44,7 @@ class Attempt {
     blocks_ = model_.blocks;
     vertex_ = model_.vertex;
     support_gaps_ = model_.support_gaps;
+    support_speeds_ = model_.support_speeds;
   }
   double ahead_before() const { return before_.ahead; }
   void restore_contacts() {  // those of the step's start
@@ -58,7 +60,7 @@ class Attempt {
   std::vector<Contact>& contacts_;
   Fracture* fracture_;
   std::vector<BlockState> blocks_;  // and vertices: before X was moved as the step changed, or empty
-  std::vector<Vec2> vertex_, support_gaps_;
+  std::vector<Vec2> vertex_, support_gaps_, support_speeds_;
   std::vector<std::pair<int, Rates>> held_;
   std::vector<Vec2> held_rising_;
   bool kept_ = false;

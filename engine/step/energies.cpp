@@ -36,6 +36,13 @@ double strain_of_blocks(const Model& model, bool asleep, double ahead) {
 
 }  // namespace
 
+double initial_stress_energy(const Model& model) {
+  double sum = 0;
+  for (const BlockShape& shape : model.shapes)
+    if (shape.dofs > rigid_dofs) sum += shape.area / 2 * shape.initial_stress.dot(elasticity(model.scene.materials[size_t(shape.material)]).inverse() * shape.initial_stress);
+  return sum;
+}
+
 double kinetic_energy(const Model& model, double ahead) {
   double sum = 0;
   for (const int b : model.awake_blocks()) sum += kinetic_energy(model, b, ahead);

@@ -116,7 +116,7 @@ std::string Equilibrium::settle() {
   };
   bool slid = false;
   if (!settles(true, 0, equilibrium_iterations, stuck)) {
-    if (stuck.last.singular_block >= 0) give_up(stuck);
+    if (stuck.last.singular_block >= 0) return "no settled start: nothing holds " + block_name(model_, stuck.last.singular_block) + "; the run starts at rest as given";
     slid = plan_.contacts && stuck.left < 0 && balances_in_place();
     if (!slid) return "no settled start: even with joints that do not slide, " + culprit(stuck) +
            (stuck.left >= 0 ? " topples or falls" : " keeps moving") + "; the run starts at rest as given";

@@ -31,7 +31,7 @@ struct Ledger {
   double numerical_flow = 0;  // the integrator's loss but for what is read off the state (start_shift)
   double start_energy = 0;    // kinetic and stored, at y
   double start_shift = 0;     // strain and gravity energy at y less those at X
-  double largest_work = 0;    // largest magnitude of gravity, external, gas or boundary work so far
+  double largest_work = 0;    // largest magnitude of gravity, external, gas or boundary work so far; in motion at least what an initial stress can give
 
   double scale() const { return std::max(start_energy, largest_work); }  // that errors are measured by
 };

@@ -109,7 +109,7 @@ StepReport LoadSteps::load(double to, bool first) {
       closure.emplace(model_, parts_.joints, std::vector<int>{});
     }
     model_.time = part.until;
-    LoadsOnTheWay loads(model_, part.from, part.come);
+    LoadsOnTheWay loads(model_, part.from, part.come > 0 ? part.come : 1);
     const LoadStepBooking booking(model_, parts_.supports, part.come > 0 ? part.until : part.from, first);
     loads.come(part.go);
     const Ledger before = ledger_;

@@ -22,7 +22,7 @@ std::vector<double> read_inputs(const Model& model, const Scheme& scheme) {
   for (const EdgeLoad& load : scene.edge_loads) add(load.traction);
   for (const Region& region : scene.regions) add(region.body_force);
   for (const Fixity& fixity : scene.fixities) {
-    const Vec2 wanted = fixity.moved(model.time + scheme.hold_time);
+    const Vec2 wanted = fixity.moved(model.time + scheme.dt);
     values.insert(values.end(), {wanted.x(), wanted.y()});
   }
   return values;

@@ -51,6 +51,7 @@ void move_whole(const BlockShape& shape, double seconds, const Frame& carried, c
 // Of a block's length; the smaller one where a contact slides, which would fall behind. What is pressed and moves no farther than that against what carries it
 // as the step changes, as all do that it presses on, is as good as at rest: what its contacts hold counts more than where it flies.
 constexpr double as_at_rest = 1e-4, as_at_rest_sliding = 1e-6;
+constexpr double one_point = 1e-3;  // of a block's length: corners of bonded blocks that a fixity holds at one point come no farther apart
 
 // What holds parts of a set of blocks, in each direction: the ground, or what moves.
 class Holder {
@@ -91,14 +92,17 @@ class Carried {
     lie();
     const std::vector<Holder> holders = fixed(body_of_);
     const std::vector<Body> own = moving(body_of_);
+    const std::vector<Pins> pins = pinned();
     for (size_t k = 0; k < count_; ++k) {
       if (way_[k] == Way::lies) continue;
-      if (holders[k].any()) way_[k] = Way::is_held;
-      frame_[k] = holders[k].frame(frame_of(own[k]));
+      frame_[k] = frame_of(own[k]);
+      if (holders[k].any() || pins[k].several) {
+        frame_[k] = (holders[k].any() ? holders[k] : pins[k].holder).frame(frame_[k]);
+        way_[k] = Way::is_held;
+      } else if (pins[k].both) {
+        frame_[k] = {pins[k].speed, own[k].spin, pins[k].at};
+      }
     }
-    // What does not yet move with its edge would be thrown by as much as it lags: it keeps its own y.
-    for (size_t b = 0; b < body_of_.size(); ++b)
-      if (moves(int(b)) && way_[body(int(b))] == Way::is_held && !slow(int(b), frame_[body(int(b))], as_at_rest)) frame_[body(int(b))] = {};
   }
 
   bool moves(int block) const { return model_.shapes[size_t(block)].dofs > 0 && !model_.sleeps(block); }
@@ -164,7 +168,7 @@ class Carried {
       for (const int b : model_.held_blocks) holders[size_t(set_of[size_t(b)])].add(frame_of_held(b));
     for (const EdgeFixity& edge : model_.edge_fixities) {
       const Fixity& fixity = model_.scene.fixities[size_t(edge.fixity)];
-      holders[size_t(set_of[size_t(edge.block)])].add(frame_of_edge(fixity), fixity.held);
+      holders[size_t(set_of[size_t(edge.block)])].add(frame_of_support(edge.fixity), fixity.held);
     }
     return holders;
   }
@@ -172,8 +176,29 @@ class Carried {
     const BlockState& state = model_.blocks[size_t(block)];
     return {linear(state) + model_.rising(block), state.velocity[2] / model_.shapes[size_t(block)].length, state.centroid};
   }
-  Frame frame_of_edge(const Fixity& of) const {  // from the one y to the other: supports go by where their fixity is then
-    return {(of.moved(model_.time + before_) - of.moved(model_.time + after_)) / (before_ - after_)};
+  Frame frame_of_support(int fixity) const {  // likewise
+    return {model_.support_speeds.empty() ? Vec2(0, 0) : model_.support_speeds[size_t(fixity)]};
+  }
+
+  // The points at which a body is held.
+  struct Pins {
+    Holder holder;
+    bool any = false, several = false;
+    bool both = false;  // directions, at the first, about which a body turns that is held at no other
+    Vec2 at = Vec2::Zero(), speed = Vec2::Zero();
+  };
+  std::vector<Pins> pinned() const {
+    std::vector<Pins> pins(count_);
+    for (const PointFixity& point : model_.point_fixities) {
+      Pins& of = pins[body(point.block)];
+      const Frame frame = frame_of_support(point.fixity);
+      const Vec2 at = model_.place(point.block, point.in_block);
+      const auto& held = model_.scene.fixities[size_t(point.fixity)].held;
+      of.holder.add(frame, held);
+      if (!of.any) of = {of.holder, true, false, held[0] && held[1], at, frame.velocity};
+      of.several = of.several || (at - of.at).norm() > one_point * model_.shapes[size_t(point.block)].length;
+    }
+    return pins;
   }
 
   // Sets of blocks as they move by themselves.

@@ -16,6 +16,7 @@ void StepParts::begin_ledger(double ahead) {
   const Energies now = energies();
   ledger.start_energy = now.total;
   ledger.start_shift = -now.numerical;
+  if (plan.dynamic) ledger.largest_work = initial_stress_energy(model);
 }
 
 double StepParts::elastic_energy(double ahead) {

@@ -86,7 +86,7 @@ for name, velocity in pairs(jumps) do
     local e, label = sim.energy, ("edge that jumps to 1 m/s %s, %s: "):format(name, shape)
     talus.check.below(label .. "fastest block, m/s", fastest, 2)
     talus.check.near(label .. "kinetic energy, of M v2/2", e.kinetic/2500, 1, { rel = 1e-3 })
-    talus.check.below(label .. "scale of the ledger over kinetic energy", e.scale/e.kinetic, 4)
+    talus.check.below(label .. "scale of the ledger over kinetic energy", e.scale/e.kinetic, 5)  -- 2 M v against v (1 + θ - ½)
   end
 end
 
@@ -97,4 +97,37 @@ for name, mesh in pairs { whole = false, meshed = { size = 0.5 } } do
   local off = 0
   for step in sim:steps() do off = math.max(off, math.abs(sim.blocks[1].ux - step.time)) end
   talus.check.below("on rollers at 1 m/s, " .. name .. ": off v t, m", off, 1e-12)
+end
+
+-- A step much shorter than the one before, which a row of some table asks for: what is driven smoothly goes on as before. Source: M v²/2 of the edge's
+-- velocity. Ours: X moved back by what the look-ahead of a driven edge lost, and was caught up with within the short step: 17 m/s for 1, 462 m/s for 3.
+local function shaken(order, mesh, theta, drive)
+  local rows = { {0, 0} }
+  for i = 1, 8 do rows[#rows + 1] = {i*0.1037, i - 1}; rows[#rows + 1] = {i*0.1037 + 1e-5, i} end
+  local fix = {}
+  for i, on in ipairs(drive == "points" and { talus.point(0, 0), talus.point(2, 0) } or { "bottom" }) do
+    fix[i] = talus.fix { region = "block", on = on, velocity = { function(t) return math.sin(2*math.pi*t) end, 0 } }
+  end
+  return talus.simulation { regions = { talus.region { name = "block", outline = talus.rect(0, 0, 2, 1), material = rock, order = order, mesh = mesh, joint = joint } }, fix = fix,
+    loads = { talus.point_load { at = {1, 0.5}, force = {0, rows} } }, numerics = { theta = theta }, time = { t_end = 1, dt_max = 5e-3 } }
+end
+for _, case in ipairs { {"rigid"}, {1}, {2}, {1, { size = 0.5 }}, {1, nil, 0.5}, {1, nil, 1}, {"rigid", nil, nil, "points"} } do
+  local order, mesh, theta, drive = case[1], case[2], case[3], case[4]
+  local sim, fastest = shaken(order, mesh, theta, drive), 0
+  for _ in sim:steps() do
+    for _, b in ipairs(sim.blocks) do fastest = math.max(fastest, b.speed) end
+  end
+  local label = ("shaken by 1 m/s%s%s, order %s%s: "):format(drive and " at points" or "", mesh and ", meshed" or "", order, theta and ", theta " .. theta or "")
+  talus.check.near(label .. "fastest block, m/s", fastest, 1, { rel = 5e-3 })
+  talus.check.below(label .. "unexplained", math.abs(sim.energy.unexplained)/sim.energy.scale, 1e-6)
+end
+
+-- A displacement that jumps, from the start on or in 0.1 ms as a step of 10 ms begins, does the work that it gives: R over its way.
+for name, displacement in pairs { ["from the start"] = 1e-3, ["at 0.3 s"] = { {0, 0}, {0.3, 0}, {0.3001, 1e-3}, {1, 1e-3} } } do
+  local sim = talus.simulation { time = { t_end = 1, dt = 0.01 }, regions = { talus.region { name = "block", outline = talus.rect(0, 0, 2, 1), material = rock } },
+    fix = { talus.fix { region = "block", on = "bottom", displacement = {displacement, 0} } } }
+  local most = 0
+  for _ in sim:steps() do most = math.max(most, sim.energy.kinetic) end
+  talus.check.above("edge put 1 mm aside " .. name .. ": work over the most kinetic energy", sim.energy.boundary/most, 1)
+  talus.check.below("edge put 1 mm aside " .. name .. ": unexplained", math.abs(sim.energy.unexplained)/sim.energy.scale, 1e-6)
 end
