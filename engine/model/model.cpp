@@ -108,6 +108,18 @@ Vec3 Model::stress(int block, const Vec2& in_block) const {
   return turn_stress(Rotation::of(state.angle), initial + elasticity(material(block)) * strain);
 }
 
+void Model::hold(int block) {
+  BlockShape& shape = shapes[block];
+  if (shape.second_order()) {
+    BlockState still;
+    still.centroid = blocks[block].centroid;
+    std::copy_n(blocks[block].velocity.begin(), first_order_dofs, still.velocity.begin());
+    blocks[block] = still;
+  }
+  shape.quadratic = -1;
+  shape.dofs = 0;
+}
+
 std::size_t Model::held_number(int block) const {
   return std::size_t(std::lower_bound(held_blocks.begin(), held_blocks.end(), block) - held_blocks.begin());
 }

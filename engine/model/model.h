@@ -389,6 +389,7 @@ class Model {
   // To be called by whoever changes materials, joint properties, loads, supports or states of blocks between steps: all wake. (A state of what sleeps
   // that is changed without is lost: steps keep two copies, by turns.)
   void changed();
+  void hold(int block);  // while it is built: it has no unknowns, of any order
   void order_contacts();  // after a change of `asleep`
   std::span<Contact> awake_contacts() { return std::span(contacts).subspan(size_t(sleeping_contacts)); }
   std::span<const Contact> awake_contacts() const { return std::span(contacts).subspan(size_t(sleeping_contacts)); }

@@ -177,10 +177,7 @@ void attach_fixity(Model& model, int id, const Finder& finder) {
       throw InputError(fixity.place, "fix", "x and y both held where a whole region is held", "one direction");
     for (size_t b = 0; b < model.shapes.size(); ++b) {
       if (model.shapes[b].region != fixity.region) continue;
-      BlockShape& shape = model.shapes[b];
-      shape.dofs = 0;
-      shape.quadratic = -1;
-      model.blocks[b].bend = {};
+      model.hold(int(b));
       model.held_by[b] = id;
     }
   } else if (fixity.on.kind == On::point) {
