@@ -132,8 +132,9 @@ Supports::Work Supports::work(const Model& model, const Poses& poses, const Sche
       sum.numerical += form(jump, jump_w) - form(-t * step, -t * w);
       if (fixity.motion == Fixity::none) return;
       const Vec2 force = point.weight * (traction + scheme.bond_d * (s * own) + point.stiffness * mean);
-      const Vec2 before_y = model.support_speeds.empty() ? Vec2(0, 0) : Vec2(ahead0 * held * model.support_speeds[size_t(point.fixity)]);
-      const Vec2 moved_x = wanted(scheme.dt) - wanted(0), moved_y = moved_x + ahead1 * held * fixity.speed(model.time + scheme.dt, scheme.dt) - before_y;
+      // Before the first step as it begins, past what jumps then.
+      const Vec2 from = model.support_speeds.empty() ? fixity.speed(model.time + scheme.dt / 32, scheme.dt) : model.support_speeds[size_t(point.fixity)];
+      const Vec2 moved_x = wanted(scheme.dt) - wanted(0), moved_y = moved_x + held * (ahead1 * fixity.speed(model.time + scheme.dt, scheme.dt) - ahead0 * from);
       sum.boundary += force.dot(moved_y);
       sum.numerical += force.dot(moved_y - moved_x);
     });

@@ -166,6 +166,7 @@ class Carried {
     std::vector<Holder> holders(count_);
     if (!model_.joints.empty())
       for (const int b : model_.held_blocks) holders[size_t(set_of[size_t(b)])].add(frame_of_held(b));
+    if (model_.support_speeds.empty()) return holders;  // before the first step supports are unstrained at X, which stays
     for (const EdgeFixity& edge : model_.edge_fixities) {
       const Fixity& fixity = model_.scene.fixities[size_t(edge.fixity)];
       holders[size_t(set_of[size_t(edge.block)])].add(frame_of_support(edge.fixity), fixity.held);
@@ -177,7 +178,7 @@ class Carried {
     return {linear(state) + model_.rising(block), state.velocity[2] / model_.shapes[size_t(block)].length, state.centroid};
   }
   Frame frame_of_support(int fixity) const {  // likewise
-    return {model_.support_speeds.empty() ? Vec2(0, 0) : model_.support_speeds[size_t(fixity)]};
+    return {model_.support_speeds[size_t(fixity)]};
   }
 
   // The points at which a body is held.
@@ -189,6 +190,7 @@ class Carried {
   };
   std::vector<Pins> pinned() const {
     std::vector<Pins> pins(count_);
+    if (model_.support_speeds.empty()) return pins;
     for (const PointFixity& point : model_.point_fixities) {
       Pins& of = pins[body(point.block)];
       const Frame frame = frame_of_support(point.fixity);

@@ -86,7 +86,7 @@ for name, velocity in pairs(jumps) do
     local e, label = sim.energy, ("edge that jumps to 1 m/s %s, %s: "):format(name, shape)
     talus.check.below(label .. "fastest block, m/s", fastest, 2)
     talus.check.near(label .. "kinetic energy, of M v2/2", e.kinetic/2500, 1, { rel = 1e-3 })
-    talus.check.below(label .. "scale of the ledger over kinetic energy", e.scale/e.kinetic, 5)  -- 2 M v against v (1 + θ - ½)
+    talus.check.below(label .. "scale of the ledger over kinetic energy", e.scale/e.kinetic, 4)
   end
 end
 
