@@ -12,24 +12,27 @@ void raise(Peak& peak, int block, double value, double time) {
 
 double largest_principal(const Vec3& e) { return std::abs(e[0] + e[1]) / 2 + std::hypot((e[0] - e[1]) / 2, e[2] / 2); }
 
-}  // namespace
-
-void keep_peaks(Model& model) {
+void keep_peak_velocities(Model& model) {
   for (ProbePoint& probe : model.probes) {
     const double speed = model.velocity_at(probe.block, model.place(probe.block, probe.in_block)).norm();
     if (speed <= probe.peak_speed) continue;
     probe.peak_speed = speed;
     probe.peak_at = model.time;
   }
-  for (const int b : model.awake_blocks())
-    if (model.shapes[b].dofs > 0) raise(model.highest, b, model.blocks[b].shift.y(), model.time);
 }
 
-bool keep_strained(Model& model) {
-  const bool before = model.strained.value > small_strain;
-  for (const int b : model.awake_blocks())
-    if (model.shapes[b].dofs > rigid_dofs) raise(model.strained, b, largest_principal(model.blocks[b].strain), model.time);
-  return !before && model.strained.value > small_strain;
+}  // namespace
+
+bool keep_peaks(Model& model, bool in_motion) {
+  const bool small = model.strained.value <= small_strain;
+  if (in_motion) keep_peak_velocities(model);
+  for (const int b : model.awake_blocks()) {  // once, as of many blocks the states are more than caches hold
+    const BlockState& state = model.blocks[b];
+    const int dofs = model.shapes[b].dofs;
+    if (in_motion && dofs > 0) raise(model.highest, b, state.shift.y(), model.time);
+    if (dofs > rigid_dofs && state.strain.lpNorm<1>() > model.strained.value) raise(model.strained, b, largest_principal(state.strain), model.time);
+  }
+  return small && model.strained.value > small_strain;
 }
 
 }  // namespace talus

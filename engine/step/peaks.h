@@ -7,7 +7,7 @@ namespace talus {
 // Stress goes with strain, and the energy of a block that turns is right, as far as their squares do not matter.
 constexpr double small_strain = 0.1;
 
-void keep_peaks(Model& model);     // after each accepted step in motion
-bool keep_strained(Model& model);  // after each; whether a strain has passed small_strain for the first time
+// After each accepted step. Whether a strain has passed small_strain for the first time.
+bool keep_peaks(Model& model, bool in_motion);
 
 }  // namespace talus

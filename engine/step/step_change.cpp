@@ -67,6 +67,7 @@ class Holder {
     }
   }
   bool any() const { return along_[0].any || along_[1].any; }
+  bool all() const { return along_[0].one() && along_[1].one(); }  // that there is to know, without how the set moves by itself
   // Of the set, which by itself moves as `own`.
   Frame frame(const Frame& own) const {
     const Frame x = along_[0].chosen(own), y = along_[1].chosen(own);
@@ -78,7 +79,8 @@ class Holder {
   struct Along {
     bool any = false, several = false, ground = false;
     Frame frame;
-    Frame chosen(const Frame& own) const { return !any ? own : !several ? frame : ground ? Frame{} : own; }
+    bool one() const { return any && (!several || ground); }
+    Frame chosen(const Frame& own) const { return !one() ? own : several ? Frame{} : frame; }
   };
   std::array<Along, 2> along_;
 };
@@ -91,16 +93,16 @@ class Carried {
         way_(count_, Way::flies), frame_(count_) {
     lie();
     const std::vector<Holder> holders = fixed(body_of_);
-    const std::vector<Body> own = moving(body_of_);
+    bodies_ = moving(body_of_, [this](int k) { return way_[size_t(k)] != Way::lies; });
     const std::vector<Pins> pins = pinned();
     for (size_t k = 0; k < count_; ++k) {
       if (way_[k] == Way::lies) continue;
-      frame_[k] = frame_of(own[k]);
+      frame_[k] = frame_of(bodies_[k]);
       if (holders[k].any() || pins[k].several) {
         frame_[k] = (holders[k].any() ? holders[k] : pins[k].holder).frame(frame_[k]);
         way_[k] = Way::is_held;
       } else if (pins[k].both) {
-        frame_[k] = {pins[k].speed, own[k].spin, pins[k].at};
+        frame_[k] = {pins[k].speed, bodies_[k].spin, pins[k].at};
       }
     }
   }
@@ -108,7 +110,8 @@ class Carried {
   bool moves(int block) const { return model_.shapes[size_t(block)].dofs > 0 && !model_.sleeps(block); }
   bool flies(int block) const { return moves(block) && way_[body(block)] == Way::flies; }
   const Frame& by(int block) const { return frame_[body(block)]; }
-  // Those that fly, as they are in `blocks`; others are nought.
+  // Those that do not lie, before their blocks move; those that fly, as they are in `blocks`. Others are nought.
+  const std::vector<Body>& bodies() const { return bodies_; }
   std::vector<Body> flying(const std::vector<BlockState>& blocks) const {
     std::vector<int> of = body_of_;
     for (size_t b = 0; b < of.size(); ++b)
@@ -134,7 +137,7 @@ class Carried {
     }
     std::vector<int> heap_of = body_of_;
     for (int& k : heap_of) k = pressed[size_t(k)] ? heaps.root(k) : k;
-    const std::vector<Frame> frames = frames_of_heaps(heap_of);
+    const std::vector<Frame> frames = frames_of_heaps(heap_of, pressed);
     for (size_t b = 0; b < heap_of.size(); ++b) {
       const size_t heap = size_t(heap_of[b]), own = body(int(b));
       if (pressed[own] && moves(int(b)) && !slow(int(b), frames[heap], slides[own] ? as_at_rest_sliding : as_at_rest)) fast[heap] = 1;
@@ -148,14 +151,14 @@ class Carried {
   }
 
   // Of what holds them, also by lying under them; where nothing does, their own.
-  std::vector<Frame> frames_of_heaps(const std::vector<int>& heap_of) const {
+  std::vector<Frame> frames_of_heaps(const std::vector<int>& heap_of, const std::vector<char>& pressed) const {
     std::vector<Holder> holders = fixed(heap_of);
     for (const Contact& c : model_.awake_contacts()) {
       if (c.normal_force <= 0) continue;
       for (const auto& [held, other] : {std::pair(c.i, c.j), std::pair(c.j, c.i)})
         if (model_.shapes[size_t(held)].dofs == 0) holders[size_t(heap_of[size_t(other)])].add(frame_of_held(held));
     }
-    const std::vector<Body> own = moving(heap_of);
+    const std::vector<Body> own = moving(heap_of, [&](int k) { return pressed[size_t(k)] && !holders[size_t(k)].all(); });
     std::vector<Frame> frames(count_);
     for (size_t k = 0; k < count_; ++k) frames[k] = holders[k].frame(frame_of(own[k]));
     return frames;
@@ -184,7 +187,7 @@ class Carried {
   // The points at which a body is held.
   struct Pins {
     Holder holder;
-    bool any = false, several = false;
+    bool several = false;
     bool both = false;  // directions, at the first, about which a body turns that is held at no other
     Vec2 at = Vec2::Zero(), speed = Vec2::Zero();
   };
@@ -196,17 +199,18 @@ class Carried {
       const Frame frame = frame_of_support(point.fixity);
       const Vec2 at = model_.place(point.block, point.in_block);
       const auto& held = model_.scene.fixities[size_t(point.fixity)].held;
+      if (!of.holder.any()) of = {{}, false, held[0] && held[1], at, frame.velocity};
       of.holder.add(frame, held);
-      if (!of.any) of = {of.holder, true, false, held[0] && held[1], at, frame.velocity};
       of.several = of.several || (at - of.at).norm() > one_point * model_.shapes[size_t(point.block)].length;
     }
     return pins;
   }
 
-  // Sets of blocks as they move by themselves.
-  std::vector<Body> moving(std::vector<int> set_of) const {
+  // Those sets of blocks that are asked for, as they move by themselves.
+  template <class Asked>
+  std::vector<Body> moving(std::vector<int> set_of, Asked&& asked) const {
     for (size_t b = 0; b < set_of.size(); ++b)
-      if (!moves(int(b))) set_of[b] = -1;
+      if (!moves(int(b)) || !asked(set_of[b])) set_of[b] = -1;
     return bodies_of(model_, model_.blocks, set_of, count_);
   }
 
@@ -223,6 +227,7 @@ class Carried {
   const size_t count_;
   std::vector<Way> way_;
   std::vector<Frame> frame_;
+  std::vector<Body> bodies_;
 };
 
 }  // namespace
@@ -240,10 +245,10 @@ std::vector<BlockState> keep_stored(const Model& model, double before, double af
       move_whole(model.shapes[b], seconds, carried.by(int(b)), model.scene.gravity, blocks[b]);
   }
   // What has moved outwards turns more slowly.
-  const std::vector<Body> before_moving = carried.flying(model.blocks), moved = carried.flying(blocks);
+  const std::vector<Body> moved = carried.flying(blocks);
   for (size_t b = 0; b < blocks.size(); ++b) {
     if (!carried.flies(int(b))) continue;
-    const Body &was = before_moving[carried.body(int(b))], &is = moved[carried.body(int(b))];
+    const Body &was = carried.bodies()[carried.body(int(b))], &is = moved[carried.body(int(b))];
     const double faster = was.spin * was.inertia / is.inertia - is.spin;
     const Vec2 turn = faster * perp(Vec2(blocks[b].centroid - is.centroid));
     blocks[b].velocity[0] += turn.x();
