@@ -44,6 +44,8 @@ void visit_initial_stress(Model& model, StateVisitor& v) {
 
 void visit_state(Model& model, StateVisitor& v) {
   v("time", model.time);
+  v("load_way_from", model.load_way.from);
+  v("load_way", model.load_way.part);
   v("blocks", model.blocks);
   Bends bends = bends_of(model);
   v("bends", bends);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -12,13 +13,12 @@ namespace talus {
 
 namespace {
 
-constexpr double least_increment = 1e-6;  // part of t_end
+constexpr double least_increment = 1e-6;  // part of t_end, or of a jump of loads
 // Contacts that open or begin to slide bend the curve of loads over displacements, whose trapezoids are booked: an increment that is off by
 // this part of the work put in by it is taken in quarters, down to this part of a load step. What is given off in the shortest is a jump.
 constexpr double most_bend = 0.01;
 constexpr double least_bend = 1e-6;  // part of the ledger's scale: what moves along free is not looked at so closely
-constexpr double finest_increment = 1.0 / 256;  // and of the way of loads in a jump
-constexpr double same_bend = 0.01;  // part, by which two parts of a load step are off alike: loads jump, which no part of the time resolves
+constexpr double finest_increment = 1.0 / 256;  // and of a jump of loads
 // Bounds of a load step, so that it ends whatever its contacts and bonds do. What stands is found in some hundreds of
 // solves, also where bonds soften near their limit.
 constexpr int most_search_solves = 1000;  // of one look for equilibrium
@@ -34,24 +34,6 @@ double exchanged(const Ledger& before, const Ledger& now) {
 }
 
 double bend_allowed(const Ledger& before, const Ledger& now) { return std::max(most_bend * exchanged(before, now), least_bend * now.scale()); }
-
-void add_part(const StepReport& part, StepReport& whole) {
-  whole.iterations += part.iterations;
-  whole.residual = std::max(whole.residual, part.residual);
-  whole.displacement += part.displacement;  // at most
-}
-
-class LoadsOnTheWay {  // while this lives
- public:
-  LoadsOnTheWay(Model& model, double from, double part) : model_(model) { model_.load_way = {from, part}; }
-  ~LoadsOnTheWay() { model_.load_way = {}; }
-  LoadsOnTheWay(const LoadsOnTheWay&) = delete;
-  LoadsOnTheWay& operator=(const LoadsOnTheWay&) = delete;
-  void come(double part) { model_.load_way.part = part; }
-
- private:
-  Model& model_;
-};
 
 class Unstressed {  // blocks without their initial stress, while this lives
  public:
@@ -79,8 +61,12 @@ LoadSteps::LoadSteps(StepParts& parts)
 
 StepReport LoadSteps::step(double to, bool first) {
   const StepReport report = take(to, first);
-  for (Fixity& fixity : model_.scene.fixities) fixity.go_on(model_.time);
+  if (model_.load_way.part == 1) go_on();
   return report;
+}
+
+void LoadSteps::go_on() {
+  for (Fixity& fixity : model_.scene.fixities) fixity.go_on(model_.time);
 }
 
 StepReport LoadSteps::take(double to, bool first) {
@@ -93,68 +79,64 @@ StepReport LoadSteps::take(double to, bool first) {
   return due.empty() ? raise_load(to, first) : break_bonds(due);
 }
 
-// Where no bond can fail. What slides to and fro in it is followed to where it turns round, in parts of its time, and where loads jump of their way.
+// Where no bond can fail. What slides to and fro in it is followed to where it turns round, in parts of its time, and of their way where loads jump.
 StepReport LoadSteps::load(double to, bool first) {
   const bool moving = moves_supports(model_.scene);  // the script may have let one go since the plan was made
-  const bool slides = plan_.contacts && loads_change(model_.scene);
+  const bool follow = plan_.contacts && loads_change(model_.scene);
   const double target = plan_.contacts && moving ? reachable(to) : to;
   StepReport report;
-  Part part{model_.time, target};
-  double left = 0;  // J/m, unexplained by the last attempt that was thrown away
   for (;;) {
-    std::optional<Restored> attempt;
-    std::optional<Closure> closure;
-    if (slides) {
-      attempt.emplace(model_);
-      closure.emplace(model_, parts_.joints, std::vector<int>{});
-    }
-    model_.time = part.until;
-    LoadsOnTheWay loads(model_, part.from, part.come > 0 ? part.come : 1);
-    const LoadStepBooking booking(model_, parts_.supports, part.come > 0 ? part.until : part.from, first);
-    loads.come(part.go);
-    const Ledger before = ledger_;
-    EquilibriumSearch search;
-    search.in_place = !moving;
-    if (!equilibrium_.balance(search)) equilibrium_.give_up(search);
-    book(booking, first);
-    const double off = closure ? closure->work(model_, ledger_.friction_work - before.friction_work) : 0;
-    if (std::abs(off) > bend_allowed(before, ledger_) && quarter(part, std::abs(off - left) <= same_bend * std::abs(off), first)) {
-      left = off;
-      ledger_ = before;
-      ++report.cuts;
-      ++totals_.cuts;
-      continue;
-    }
-    if (attempt) attempt->keep();
-    add_part(search.report, report);
+    LoadPath path(model_, target);
+    for (; !load_part(path, follow, first, report); ++report.cuts) cut(path, 0.25);
+    if (path.complete(target)) return report;
+    if (model_.load_way.part == 1) go_on();
     first = false;
-    left = 0;
-    if (part.go < 1) {
-      part.come = std::exchange(part.go, 1);
-      continue;
-    }
-    if (part.until == target) return report;
-    for (Fixity& fixity : model_.scene.fixities) fixity.go_on(part.until);
-    part = {part.until, target};
   }
 }
 
-// `alike`: the last quarter was off by as much. What loads grow from in the first is no load at all.
-bool LoadSteps::quarter(Part& part, bool alike, bool first) const {
-  const bool jumps = part.come > 0 || part.go < 1;
-  if (!jumps && !alike && may_quarter(part.until - part.from)) {
-    part.until = part.from + (part.until - part.from) / 4;
-    return true;
+// Whether it is as straight as its booking takes it for; the model is as before where it is not.
+bool LoadSteps::load_part(const LoadPath& path, bool follow, bool first, StepReport& report) {
+  std::optional<Restored> attempt;
+  std::optional<Closure> closure;
+  if (follow) {
+    attempt.emplace(model_);
+    closure.emplace(model_, parts_.joints, std::vector<int>{});
   }
-  if (first || (!jumps && !alike) || part.go - part.come <= finest_increment) return false;
-  part.go = part.come + (part.go - part.come) / 4;
+  path.begin();
+  const LoadStepBooking booking(model_, parts_.supports, path.begins_at(), first);
+  path.end();
+  const Ledger before = ledger_;
+  EquilibriumSearch search;
+  search.in_place = !moves_supports(model_.scene);
+  if (!equilibrium_.balance(search)) equilibrium_.give_up(search);
+  book(booking, first);
+  if (follow) {
+    const double off = closure->work(model_, ledger_.friction_work - before.friction_work);
+    if (std::abs(off) > bend_allowed(before, ledger_) && may_quarter(path)) {
+      ledger_ = before;
+      return false;
+    }
+    attempt->keep();
+  }
+  report.iterations += search.report.iterations;
+  report.residual = std::max(report.residual, search.report.residual);
+  report.displacement += search.report.displacement;  // at most
   return true;
 }
 
-// Whether a part of a load step may still be taken in quarters.
-bool LoadSteps::may_quarter(double increment) const {
-  const TimeControl& time = model_.scene.time;
-  return increment > finest_increment * time.t_end / time.steps;
+bool LoadSteps::may_quarter(const LoadPath& path) const {
+  return path.length() > finest_increment * (path.jumps() ? 1 : model_.scene.time.t_end / model_.scene.time.steps);
+}
+
+double LoadSteps::whole(const LoadPath& path) const { return path.jumps() ? 1 : model_.scene.time.t_end; }
+
+bool LoadSteps::is_shortest(const LoadPath& path) const { return path.length() <= least_increment * whole(path) * (1 + 1e-9); }
+
+void LoadSteps::cut(LoadPath& path, double part) {
+  const bool jumped = path.jumps();
+  path.cut(part, least_increment);
+  if (path.jumps() != jumped) pace_ = 0;
+  ++totals_.cuts;
 }
 
 // The energy stored is linear in an initial stress, which grows in the first load step as the loads do: half of what it has put in.
@@ -181,69 +163,77 @@ double LoadSteps::reachable(double to) const {
   return to;
 }
 
-// Where the first bond comes to its strength if utilisations go on as they have come up. Farther each time that it has
-// not come to it.
-double LoadSteps::foreseen(double from, double to, double utilisation) const {
-  if (!(utilisation > 0)) return to;
-  const double ahead = from * ((1 + model_.scene.fracture.overshoot / 2) / utilisation - 1);
-  return ahead > 0 ? std::min(to, from + ahead * std::pow(2.0, short_increments_)) : to;
+// How far it is to where the first bond comes to its strength if utilisations go on as they have come up, as LoadPath::length. Farther each time
+// that it has not come to it.
+double LoadSteps::foreseen(const LoadPath& path, double utilisation) const {
+  const double pace = path.jumps() ? pace_ : utilisation / path.from();
+  const double ahead = (1 + model_.scene.fracture.overshoot / 2 - utilisation) / pace;
+  return pace > 0 && ahead > 0 ? ahead * std::pow(2.0, short_increments_) : path.length();
+}
+
+// 1/s, or over all of a jump of loads, at which utilisations come up at least; of a jump that has just begun nobody knows.
+double LoadSteps::pace(const LoadPath& path, double utilisation) const {
+  if (path.jumps()) return pace_ > 0 ? pace_ : std::numeric_limits<double>::infinity();
+  return std::max(pace_, path.from() > 0 ? utilisation / path.from() : 0);
 }
 
 // Utilisations grow about in proportion to the load: an increment that passes a strength by more than the overshoot is
 // taken again, to where the first bond reaches it. So is one on whose way the rock would jump, unless utilisations, as
 // they have come up, would stay within the overshoot: then the load at which it jumps is known as well as any strength.
 StepReport LoadSteps::raise_load(double to, bool first) {
-  const double from = model_.time, soonest = std::min(to, from + least_increment * model_.scene.time.t_end);
-  const double overshoot = model_.scene.fracture.overshoot, before = parts_.fracture->judge();
-  double until = foreseen(from, to, before);
-  const double pace = std::max(pace_, from > 0 ? before / from : 0);
+  const double strength = 1 + model_.scene.fracture.overshoot, before = parts_.fracture->judge();
+  LoadPath path(model_, to);
+  path.stop_at(std::max(foreseen(path, before), least_increment * whole(path)));
   const Closure closure(model_, parts_.joints, {});
   int vain = 0;  // solves
   for (int cuts = 0;; ++cuts) {
     Restored attempt(model_);
-    model_.time = until;
-    const LoadStepBooking booking(model_, parts_.supports, from, first);
-    const BridgeBooking bridges(model_);
+    path.begin();
+    const IncrementBooking booking{{model_, parts_.supports, path.begins_at(), first}, BridgeBooking(model_), closure, first};
+    path.end();
     EquilibriumSearch search;
     search.most_solves = most_search_solves;
-    search.may_jump = before + pace * (until - from) <= 1 + overshoot || until <= soonest;
+    search.may_jump = before + pace(path, before) * path.length() <= strength || is_shortest(path);
     const bool found = equilibrium_.balance(search);
     search.report.cuts = cuts;
     if (!found) vain += search.report.iterations;
-    const double after = found ? parts_.fracture->judge() : 0;
-    search.report.utilisation = after;
-    if (found && (after <= 1 + overshoot || search.jumped || until <= soonest)) {
-      const Ledger ledger = ledger_;
-      book(booking, first);
-      bridges.book(model_, ledger_);
-      const double off = closure.work(model_, ledger_.friction_work - ledger.friction_work);
-      const bool bent = std::abs(off) > bend_allowed(ledger, ledger_);
-      if (!search.jumped && bent && may_quarter(until - from) && until > soonest) {
-        ledger_ = ledger;
-        until = from + (until - from) / 4;
-        ++totals_.cuts;
-        continue;
-      }
+    const double after = search.report.utilisation = found ? parts_.fracture->judge() : 0;
+    const bool stands = found && (after <= strength || search.jumped || is_shortest(path));
+    if (stands && book(booking, path, search.jumped, after - before)) {
       attempt.keep();
-      if (search.jumped || (bent && off > 0))
-        ledger_.fracture_work += off;
-      else if (until > from)
-        pace_ = (after - before) / (until - from);
       parts_.fracture->weaken();
-      short_increments_ = until < to && !parts_.bonds_due() ? short_increments_ + 1 : 0;
+      short_increments_ = path.complete(to) || parts_.bonds_due() ? 0 : short_increments_ + 1;
       return search.report;
     }
     const bool enough = vain > most_vain_solves || short_increments_ > most_short_increments;
-    if (!found && (until <= soonest || enough)) {
+    if (!found && (is_shortest(path) || enough)) {
       if (totals_.failures == 0) equilibrium_.give_up(search);
       const StepReport report = collapse(search);
       attempt.back();
       return report;
     }
-    const double part = found ? (1 + overshoot / 2 - before) / (after - before) : 0.25;
-    until = std::max(from + std::clamp(part, 0.01, cuts < careful_cuts ? 0.95 : 0.5) * (until - from), soonest);
-    ++totals_.cuts;
+    const double part = stands || !found ? 0.25 : (1 + model_.scene.fracture.overshoot / 2 - before) / (after - before);
+    cut(path, std::clamp(part, 0.01, cuts < careful_cuts ? 0.95 : 0.5));
   }
+}
+
+// `raised`: by how much utilisations have come up. False, and nothing is booked: contacts bend the increment too much for its trapezoids.
+bool LoadSteps::book(const IncrementBooking& booking, const LoadPath& path, bool jumped, double raised) {
+  const Ledger ledger = ledger_;
+  book(booking.loads, booking.first);
+  booking.bridges.book(model_, ledger_);
+  const double off = booking.closure.work(model_, ledger_.friction_work - ledger.friction_work);
+  const bool bent = std::abs(off) > bend_allowed(ledger, ledger_);
+  if (!jumped && bent && may_quarter(path) && !is_shortest(path)) {
+    ledger_ = ledger;
+    return false;
+  }
+  if (jumped || (bent && off > 0))
+    ledger_.fracture_work += off;
+  else if (path.length() > 0)
+    pace_ = raised / path.length();
+  if (path.ends_jump()) pace_ = 0;
+  return true;
 }
 
 StepReport LoadSteps::break_bonds(const std::vector<int>& due) {

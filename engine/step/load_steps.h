@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "step/closure.h"
 #include "step/equilibrium.h"
+#include "step/load_path.h"
 #include "step/step_parts.h"
 
 namespace talus {
@@ -21,21 +23,28 @@ class LoadSteps {
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
 
  private:
-  // Of a load step: from one time to another, or of the way of loads that jump between these.
-  struct Part {
-    double from, until;       // s
-    double come = 0, go = 1;  // parts of the way
+  struct IncrementBooking {
+    LoadStepBooking loads;
+    BridgeBooking bridges;
+    const Closure& closure;
+    bool first;
   };
 
   StepReport take(double to, bool first);
+  void go_on();
   StepReport load(double to, bool first);
-  bool may_quarter(double increment) const;
-  bool quarter(Part& part, bool alike, bool first) const;
+  bool load_part(const LoadPath& path, bool follow, bool first, StepReport& report);
   double reachable(double to) const;
-  double foreseen(double from, double to, double utilisation) const;
   StepReport raise_load(double to, bool first);
+  double foreseen(const LoadPath& path, double utilisation) const;
+  double pace(const LoadPath& path, double utilisation) const;
   StepReport break_bonds(const std::vector<int>& due);
   void book(const LoadStepBooking& booking, bool first);
+  bool book(const IncrementBooking& booking, const LoadPath& path, bool jumped, double raised);
+  void cut(LoadPath& path, double part);
+  bool may_quarter(const LoadPath& path) const;
+  double whole(const LoadPath& path) const;
+  bool is_shortest(const LoadPath& path) const;
   StepReport collapse(const EquilibriumSearch& search);
 
   StepParts& parts_;
@@ -46,7 +55,7 @@ class LoadSteps {
   Equilibrium equilibrium_;
   std::string collapse_;
   int short_increments_ = 0;  // of load, one after the other
-  double pace_ = 0;           // 1/s, at which utilisations came up with the last of them
+  double pace_ = 0;           // 1/s, or in a jump of loads over all of it, at which utilisations came up with the last of them
 };
 
 }  // namespace talus

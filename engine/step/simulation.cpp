@@ -193,7 +193,7 @@ bool Simulation::finished() const {
   if (stopped_ || last.collapsed || (time.max_steps > 0 && totals.steps >= time.max_steps)) return true;
   if (plan.dynamic) return model.time >= time.t_end;
   const long least = time.t_end == 0 ? time.steps : 1;
-  return totals.steps >= least && model.time >= time.t_end && !parts_->bonds_due();
+  return totals.steps >= least && model.time >= time.t_end && model.load_way.part == 1 && !parts_->bonds_due();
 }
 
 const std::vector<int>& Simulation::fractures() const { return half_steps_ ? half_steps_->fractures() : parts_->fractures(); }

@@ -144,3 +144,29 @@ for saved = 2, 5 do
   other:restore(file)
   check.equal(("wall: from step %d on, from the file"):format(saved), run(other, 3), ended)
 end
+
+-- A static run that is saved within a jump of its loads, where time stands still.
+local function torn()
+  local rock = talus.material { name = "rock", density = 2500, young = 1*u.GPa, poisson = 0.2 }
+  return talus.simulation {
+    gravity = {0, -9.81}, contact = talus.joint { name = "rough", friction = 30*u.deg },
+    regions = { talus.region { name = "floor", outline = talus.rect(-1, -1, 11, 0), material = rock, held = true },
+                talus.region { name = "bar", outline = talus.rect(0, 0, 10, 0.5), material = rock, mesh = { kind = "cross", nx = 20, ny = 1 },
+                               joint = talus.joint { name = "bond", friction = 30*u.deg, tension = 0.02*u.MPa, cohesion = 0.02*u.MPa } } },
+    fix = { talus.fix { region = "bar", on = "left", x = true },
+            talus.fix { region = "bar", on = "right", x = true, displacement = { function(t) return t <= 1 and 0 or 0.5*u.mm end, 0 } } },
+    time = { mode = "static", t_end = 2, steps = 4 },
+  }
+end
+local within, inside = torn(), 0
+for _ in within:steps() do
+  if within.time > 1 and within.time < 1.001 then
+    local state = within:save()
+    inside = inside + 1
+    local once = (within:step() and within:hash())
+    within:restore(state)
+    if within:step() and within:hash() ~= once then check.truth("within a jump of loads, again to the bit", false) end
+  end
+end
+check.above("steps gone back to within a jump of loads", inside, 3)
+check.equal("a static run with steps gone back to ends as one without", within:hash(), (function() local sim = torn() sim:run() return sim:hash() end)())

@@ -1,0 +1,35 @@
+#pragma once
+// The way of the loads and supports of a static run: in time, and where they jump straight from what they were to what they
+// become, which no part of the time resolves.
+#include "model/model.h"
+
+namespace talus {
+
+class LoadPath {  // a part of a load step
+ public:
+  // From where the model's loads are: to the time `to` at most, or to the end of the jump that they are in.
+  LoadPath(Model& model, double to);
+
+  // Put the model where this part ends, with the loads of begins_at() still those that it begins with, or with those that it ends with.
+  void begin() const;
+  void end() const;
+  double begins_at() const { return jumps_ ? until_ : from_; }  // s
+
+  bool jumps() const { return jumps_; }
+  double from() const { return from_; }    // s
+  double length() const { return jumps_ ? go_ - come_ : until_ - from_; }  // s, or part of a jump
+  bool complete(double to) const { return until_ == to && go_ == 1; }
+  bool ends_jump() const { return jumps_ && go_ == 1; }
+
+  void stop_at(double length);  // ends there, if it does not before
+  // Takes `part` of the way, but at least `least` of t_end or of the jump; to where loads begin to jump, if they do on it.
+  void cut(double part, double least);
+
+ private:
+  Model& model_;
+  bool jumps_;
+  double from_, until_;  // s
+  double come_, go_ = 1;  // parts of the jump
+};
+
+}  // namespace talus
