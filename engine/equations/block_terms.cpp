@@ -100,6 +100,13 @@ double moment_of_inertia(const Model& model, int block, const Vec3& e, const Apa
   return unbent + model.material(block).density / (shape.length * shape.length) * bent;
 }
 
+double mean_spin(const Model& model, int block, const BlockState& state) {
+  return with_size(model.shapes[block].second_order(), [&](auto n) {
+    const ColumnOf<n> momenta = mass_matrix_of<n>(model, block).row(2);
+    return momenta.dot(state.velocity.column<n>()) / momenta[2];
+  });
+}
+
 Vec2 body_force(const Model& model, int region, double density, double t) {
   const auto& own = model.scene.regions[region].body_force;
   return density * model.scene.gravity + Vec2(model.load(own[0], t), model.load(own[1], t));
@@ -146,7 +153,7 @@ void add_block_terms(const Model& model, const Poses& poses, const Scheme& schem
         k.template block<3, 3>(3, 3) += (scheme.bond_d * shape.area * per_length * per_length) * d;
         const Vec3 stress_force = -shape.area * per_length * (shape.initial_stress + d * strain);
         // Centrifugal: in axes that turn with the block, ∫ρ ω² x·δx.
-        const double spin = pose.velocity[2] * per_length;
+        const double spin = mean_spin(model, b, model.blocks[b]) * per_length;
         const Vec3 centrifugal = spin * spin * shape.length * Vec3(mass(3, 3), mass(4, 4), mass(3, 5) + mass(4, 5));
         f.template segment<3>(3) = stress_force + centrifugal;
         if constexpr (n > first_order_dofs) {

@@ -36,7 +36,7 @@ std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& b
     const Vec2 arm = state.centroid - body.centroid, v(state.velocity[0], state.velocity[1]);
     const double length = model.shapes[b].length, mass = model.mass(int(b)),
                  own = length * length * moment_of_inertia(model, int(b), state.strain, state.bend);
-    body.spin += mass * cross(arm, Vec2(v - body.velocity)) + own * state.velocity[2] / length;
+    body.spin += mass * cross(arm, Vec2(v - body.velocity)) + own * mean_spin(model, int(b), state) / length;
     body.inertia += own + mass * arm.squaredNorm();
   }
   for (Body& body : bodies)

@@ -62,7 +62,8 @@ double kinetic_energy(const Model& model, int b, double ahead) {
   const Vec3 at_y = state.strain + ahead / shape.length * Vec3(v[3], v[4], v[5]);
   const double x = moment_of_inertia(model, b, state.strain, state.bend),
                y = moment_of_inertia(model, b, at_y, bend_ahead(state, ahead));
-  return at_reference + (x * x / y - moment_of_inertia(model, b, Vec3::Zero())) * v[2] * v[2] / 2;
+  const double spin = mean_spin(model, b, state);
+  return at_reference + (x * x / y - moment_of_inertia(model, b, Vec3::Zero())) * spin * spin / 2;
 }
 
 double strain_energy(const Model& model, const JointTerms& joints, const Supports& supports, double ahead) {

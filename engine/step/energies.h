@@ -9,7 +9,7 @@
 namespace talus {
 
 // ½ vᵀM v of what can move, spin with the moment of inertia of the block as it is strained at y: angular momentum
-// I(e)ω is kept (step/update.cpp), and ½Iω² changes by the work of the centrifugal forces. Held blocks are not
+// I(e)s of the mean spin is kept (step/update.cpp), and ½Is² changes by the work of the centrifugal forces. Held blocks are not
 // counted.
 double kinetic_energy(const Model& model, double ahead);
 double kinetic_energy(const Model& model, int block, double ahead);

@@ -31,10 +31,10 @@ void move_block(const Model& model, const Scheme& scheme, const Vector& d, int b
   moved.strain += Vec3(move[3], move[4], move[5]) / shape.length;
   for (size_t k = first_order_dofs; k < size; ++k) (*moved.bend)[k - first_order_dofs] += move[k];
   if (shape.dofs > rigid_dofs && scheme.step_v > 0) {
-    // Solved with the reference moment I; the spin momentum I(e) ω is what is kept.
+    // Solved with the reference moment I; the angular momentum I(e) ω of the mean spin is what is kept.
     const double i = moment_of_inertia(model, block, Vec3::Zero()), before = moment_of_inertia(model, block, from.strain, from.bend),
-                 after = moment_of_inertia(model, block, moved.strain, moved.bend);
-    moved.velocity[2] = (before * v0[2] + i * (moved.velocity[2] - v0[2])) / after;
+                 after = moment_of_inertia(model, block, moved.strain, moved.bend), spin = mean_spin(model, block, from), to = mean_spin(model, block, moved);
+    moved.velocity[2] += (before * spin + i * (to - spin)) / after - to;
   }
 }
 

@@ -54,21 +54,18 @@ struct FreeDisc {
   }
 };
 
-// What a step keeps to round-off: the spin part counts strain in the moment of inertia, and the share of the
-// strain rates with reference moments.
+// What a step keeps to round-off: of each block the moment of inertia counts strain, its mean spin has the strain rates' share with reference moments.
 double kept_angular_momentum(const Model& model) {
   double sum = 0;
   for (int b = 0; b < int(model.shapes.size()); ++b) {
     const BlockShape& s = model.shapes[b];
     const BlockState& state = model.blocks[b];
     const auto& v = state.velocity;
-    const auto mass = mass_matrix(model, b);
     Mat2 stretch, moments;
     stretch << 1 + state.strain[0], state.strain[2] / 2, state.strain[2] / 2, 1 + state.strain[1];
     moments << s.xx, s.xy, s.xy, s.yy;
     const double inertia = model.material(b).density * (stretch * moments * stretch).trace();
-    sum += model.mass(b) * cross(state.centroid, Vec2(v[0], v[1])) + inertia * v[2] / s.length +
-           s.length * (mass(2, 3) * v[3] + mass(2, 4) * v[4] + mass(2, 5) * v[5]);
+    sum += model.mass(b) * cross(state.centroid, Vec2(v[0], v[1])) + inertia * mean_spin(model, b, state) / s.length;
   }
   return sum;
 }
