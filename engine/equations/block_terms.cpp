@@ -101,10 +101,13 @@ double moment_of_inertia(const Model& model, int block, const Vec3& e, const Apa
 }
 
 double mean_spin(const Model& model, int block, const BlockState& state) {
-  return with_size(model.shapes[block].second_order(), [&](auto n) {
-    const ColumnOf<n> momenta = mass_matrix_of<n>(model, block).row(2);
-    return momenta.dot(state.velocity.column<n>()) / momenta[2];
-  });
+  const BlockShape& shape = model.shapes[block];
+  const auto& v = state.velocity;
+  if (shape.second_order()) {
+    const ColumnOf<second_order_dofs> coupling = second_order_mass_matrix(model, block).row(2);
+    return coupling.dot(v.column<second_order_dofs>()) / coupling[2];
+  }
+  return v[2] + (shape.xy * (v[4] - v[3]) + (shape.xx - shape.yy) / 2 * v[5]) / (shape.xx + shape.yy);  // row 2 of mass_matrix()
 }
 
 Vec2 body_force(const Model& model, int region, double density, double t) {
