@@ -114,7 +114,7 @@ void take_over(const Model& model, Contact& c) {
 
 // A corner that slides from the face of one block on to that of the next, which stands out a little farther, is not pressed by that step, which
 // it could not have climbed: its height is the contact's overlap, until a step leads down again. Where the faces meet in an edge there is none,
-// and the way along them bends. Returns how much farther, m, where that is the contact's overlap now.
+// and the way along them bends. Returns how much farther, m.
 double step_over(const Model& model, const Contact& old, Contact& c) {
   const auto corner = [&](const Contact& of, int k) { return model.vertex[size_t(model.shapes[size_t(of.j)].vertex_begin + k)]; };
   const Vec2 from = corner(old, old.edge), to = corner(old, model.next_vertex(old.j, old.edge));
@@ -122,10 +122,9 @@ double step_over(const Model& model, const Contact& old, Contact& c) {
   const bool first = distance_to_segment(from, to, ends[0]) < distance_to_segment(from, to, ends[1]);
   const double up = edge_normal(model, old).dot(ends[first ? 0 : 1] - from);
   const double size = std::min(model.shapes[size_t(c.i)].length, model.shapes[size_t(c.j)].length);
-  const bool overlaps = up > climbed_part * size && up <= passing_tolerance * size;
-  if (overlaps) c.offset += up;
+  if (up > climbed_part * size && up <= passing_tolerance * size) c.offset += up;
   if (up < 0) c.offset = std::max(std::min(0.0, c.offset), c.offset + up);
-  return overlaps || up > passing_tolerance * size ? up : 0;
+  return up;
 }
 
 }  // namespace
@@ -174,8 +173,8 @@ double carry_over(const Model& model, double dt, bool cracked, std::vector<Conta
       const double deeper = gap_now(model, *old) - c->gap;
       if (old->i == c->j) c->offset += std::max(0.0, deeper);
       if (old->global_vertex == c->global_vertex) {
-        const double up = old->j != c->j ? step_over(model, *old, *c) : 0;
-        if (dt > 0) c->offset += std::max(0.0, deeper - up);  // by which the face stands out less than is climbed, or bends up: in motion its height is no load either
+        const double up = old->j != c->j ? std::max(0.0, step_over(model, *old, *c)) : 0;
+        if (dt > 0) c->offset += std::max(0.0, deeper - up);  // by which the face bends up: in motion its height is no load either
       }
       c->deeper = deeper + old->offset - c->offset;
       c->offset += old->normal_force / old->normal_stiffness - old->normal_force / c->normal_stiffness;

@@ -110,6 +110,20 @@ double mean_spin(const Model& model, int block, const BlockState& state) {
   return v[2] + (shape.xy * (v[4] - v[3]) + (shape.xx - shape.yy) / 2 * v[5]) / (shape.xx + shape.yy);  // row 2 of mass_matrix()
 }
 
+namespace {
+
+// m/s, the mean spin of the pose, to which the angular momentum stays.
+double mean_spin(const Model& model, int block, const Pose& pose) {
+  const BlockState& state = model.blocks[block];
+  const double spin = mean_spin(model, block, state);
+  if (spin == 0) return 0;
+  Apart<BendArray> bend = state.bend;
+  if (bend) *bend = pose.bend->now;
+  return spin * moment_of_inertia(model, block, state.strain, state.bend) / moment_of_inertia(model, block, pose.strain, bend);
+}
+
+}  // namespace
+
 Vec2 body_force(const Model& model, int region, double density, double t) {
   const auto& own = model.scene.regions[region].body_force;
   return density * model.scene.gravity + Vec2(model.load(own[0], t), model.load(own[1], t));
@@ -155,9 +169,13 @@ void add_block_terms(const Model& model, const Poses& poses, const Scheme& schem
         const Vec3 strain = pose.strain + per_length * scheme.bond_v * rate;
         k.template block<3, 3>(3, 3) += (scheme.bond_d * shape.area * per_length * per_length) * d;
         const Vec3 stress_force = -shape.area * per_length * (shape.initial_stress + d * strain);
-        // Centrifugal: in axes that turn with the block, ∫ρ ω² x·δx.
-        const double spin = mean_spin(model, b, model.blocks[b]) * per_length;
-        const Vec3 centrifugal = spin * spin * shape.length * Vec3(mass(3, 3), mass(4, 4), mass(3, 5) + mass(4, 5));
+        // Centrifugal: in axes that turn with the block, ∫ρ ω² x·δx, of the middle of the step.
+        const double spin = mean_spin(model, b, pose) * per_length;
+        const Vec3& e = pose.strain;
+        const double xx = mass(3, 3), yy = mass(4, 4), xy = mass(3, 5) + mass(4, 5);
+        const Vec3 centrifugal = spin * spin * shape.length *
+                                 Vec3((1 + e[0]) * xx + e[2] / 2 * xy, (1 + e[1]) * yy + e[2] / 2 * xy,
+                                      ((2 + e[0] + e[1]) * xy + e[2] / 2 * (xx + yy)) / 2);
         f.template segment<3>(3) = stress_force + centrifugal;
         if constexpr (n > first_order_dofs) {
           const MatrixOf<6> bending = bend_stiffness(shape, d);

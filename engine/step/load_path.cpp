@@ -13,7 +13,7 @@ namespace {
 constexpr double least_jump = 0.01;
 constexpr double jump_time = 1e-9;
 
-using Interval = std::pair<double, double>;  // s
+using Interval = LoadPath::Interval;
 
 // Where `of` changes most between two times, if it jumps there.
 template <class Of>
@@ -77,16 +77,22 @@ void LoadPath::stop_at(double length) {
     until_ = from_ + length;
 }
 
+std::optional<LoadPath::Interval> LoadPath::next_jump() const {
+  const double width = jump_time * model_.scene.time.t_end;
+  if (jumps_ || until_ <= width) return {};
+  return first_jump(model_.scene, {std::max(from_, width), until_}, width);  // no load step asks what is at t = 0
+}
+
+bool LoadPath::meets_jump() const { return next_jump().has_value(); }
+
 void LoadPath::cut(double part, double least) {
-  if (!jumps_) {
-    const double width = jump_time * model_.scene.time.t_end;
-    const std::optional<Interval> jump = first_jump(model_.scene, {std::max(from_, width), until_}, width);  // no load step asks what is at t = 0
-    if (jump && jump->first > from_ + width) {
+  if (const std::optional<Interval> jump = next_jump()) {
+    if (jump->first > from_ + jump_time * model_.scene.time.t_end) {
       until_ = jump->first;
       return;
     }
-    jumps_ = jump.has_value();
-    if (jumps_) until_ = jump->second;
+    jumps_ = true;
+    until_ = jump->second;
   }
   stop_at(std::max(part * length(), least * (jumps_ ? 1 : model_.scene.time.t_end)));
 }

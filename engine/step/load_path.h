@@ -1,12 +1,17 @@
 #pragma once
 // The way of the loads and supports of a static run: in time, and where they jump straight from what they were to what they
 // become, which no part of the time resolves.
+#include <optional>
+#include <utility>
+
 #include "model/model.h"
 
 namespace talus {
 
 class LoadPath {  // a part of a load step
  public:
+  using Interval = std::pair<double, double>;  // s
+
   // From where the model's loads are: to the time `to` at most, or to the end of the jump that they are in.
   LoadPath(Model& model, double to);
 
@@ -16,6 +21,7 @@ class LoadPath {  // a part of a load step
   double begins_at() const { return jumps_ ? until_ : from_; }  // s
 
   bool jumps() const { return jumps_; }
+  bool meets_jump() const;  // on its way in time
   double from() const { return from_; }    // s
   double length() const { return jumps_ ? go_ - come_ : until_ - from_; }  // s, or part of a jump
   bool complete(double to) const { return until_ == to && go_ == 1; }
@@ -26,6 +32,8 @@ class LoadPath {  // a part of a load step
   void cut(double part, double least);
 
  private:
+  std::optional<Interval> next_jump() const;
+
   Model& model_;
   bool jumps_;
   double from_, until_;  // s

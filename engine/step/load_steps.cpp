@@ -125,12 +125,12 @@ bool LoadSteps::load_part(const LoadPath& path, bool follow, bool first, StepRep
 }
 
 bool LoadSteps::may_quarter(const LoadPath& path) const {
-  return path.length() > finest_increment * (path.jumps() ? 1 : model_.scene.time.t_end / model_.scene.time.steps);
+  return path.length() > finest_increment * (path.jumps() ? 1 : model_.scene.time.t_end / model_.scene.time.steps) || path.meets_jump();
 }
 
 double LoadSteps::whole(const LoadPath& path) const { return path.jumps() ? 1 : model_.scene.time.t_end; }
 
-bool LoadSteps::is_shortest(const LoadPath& path) const { return path.length() <= least_increment * whole(path) * (1 + 1e-9); }
+bool LoadSteps::is_shortest(const LoadPath& path) const { return path.length() <= least_increment * whole(path) * (1 + 1e-9) && !path.meets_jump(); }
 
 void LoadSteps::cut(LoadPath& path, double part) {
   const bool jumped = path.jumps();
@@ -193,7 +193,7 @@ StepReport LoadSteps::raise_load(double to, bool first) {
     path.end();
     EquilibriumSearch search;
     search.most_solves = most_search_solves;
-    search.may_jump = before + pace(path, before) * path.length() <= strength || is_shortest(path);
+    search.may_jump = (before + pace(path, before) * path.length() <= strength && !path.meets_jump()) || is_shortest(path);
     const bool found = equilibrium_.balance(search);
     search.report.cuts = cuts;
     if (!found) vain += search.report.iterations;
