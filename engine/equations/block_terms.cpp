@@ -1,5 +1,7 @@
 #include "equations/block_terms.h"
 
+#include "model/rates.h"
+
 namespace talus {
 
 DofMatrix mass_matrix(const Model& model, int block) {
@@ -103,6 +105,7 @@ double moment_of_inertia(const Model& model, int block, const Vec3& e, const Apa
 double mean_spin(const Model& model, int block, const BlockState& state) {
   const BlockShape& shape = model.shapes[block];
   const auto& v = state.velocity;
+  if (stands_still(v)) return 0;
   if (shape.second_order()) {
     const ColumnOf<second_order_dofs> coupling = second_order_mass_matrix(model, block).row(2);
     return coupling.dot(v.column<second_order_dofs>()) / coupling[2];
