@@ -94,7 +94,7 @@ void LoadPath::cut(double part, double least) {
     jumps_ = true;
     until_ = jump->second;
   }
-  stop_at(std::max(part * length(), least * (jumps_ ? 1 : model_.scene.time.t_end)));
+  stop_at(std::max(part * length(), least * whole()));
 }
 
 }  // namespace talus

@@ -24,11 +24,12 @@ class LoadPath {  // a part of a load step
   bool meets_jump() const;  // on its way in time
   double from() const { return from_; }    // s
   double length() const { return jumps_ ? go_ - come_ : until_ - from_; }  // s, or part of a jump
+  double whole() const { return jumps_ ? 1 : model_.scene.time.t_end; }    // likewise, of the run or the jump
   bool complete(double to) const { return until_ == to && go_ == 1; }
   bool ends_jump() const { return jumps_ && go_ == 1; }
 
   void stop_at(double length);  // ends there, if it does not before
-  // Takes `part` of the way, but at least `least` of t_end or of the jump; to where loads begin to jump, if they do on it.
+  // Takes `part` of the way, but at least `least` of the whole; to where loads begin to jump, if they do on it.
   void cut(double part, double least);
 
  private:

@@ -128,9 +128,7 @@ bool LoadSteps::may_quarter(const LoadPath& path) const {
   return path.length() > finest_increment * (path.jumps() ? 1 : model_.scene.time.t_end / model_.scene.time.steps) || path.meets_jump();
 }
 
-double LoadSteps::whole(const LoadPath& path) const { return path.jumps() ? 1 : model_.scene.time.t_end; }
-
-bool LoadSteps::is_shortest(const LoadPath& path) const { return path.length() <= least_increment * whole(path) * (1 + 1e-9) && !path.meets_jump(); }
+bool LoadSteps::is_shortest(const LoadPath& path) const { return path.length() <= least_increment * path.whole() * (1 + 1e-9) && !path.meets_jump(); }
 
 void LoadSteps::cut(LoadPath& path, double part) {
   const bool jumped = path.jumps();
@@ -183,7 +181,7 @@ double LoadSteps::pace(const LoadPath& path, double utilisation) const {
 StepReport LoadSteps::raise_load(double to, bool first) {
   const double strength = 1 + model_.scene.fracture.overshoot, before = parts_.fracture->judge();
   LoadPath path(model_, to);
-  path.stop_at(std::max(foreseen(path, before), least_increment * whole(path)));
+  path.stop_at(std::max(foreseen(path, before), least_increment * path.whole()));
   const Closure closure(model_, parts_.joints, {});
   int vain = 0;  // solves
   for (int cuts = 0;; ++cuts) {

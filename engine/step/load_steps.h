@@ -43,7 +43,6 @@ class LoadSteps {
   bool book(const IncrementBooking& booking, const LoadPath& path, bool jumped, double raised);
   void cut(LoadPath& path, double part);
   bool may_quarter(const LoadPath& path) const;
-  double whole(const LoadPath& path) const;
   bool is_shortest(const LoadPath& path) const;
   StepReport collapse(const EquilibriumSearch& search);
 

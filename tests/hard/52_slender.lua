@@ -52,7 +52,7 @@ end
 -- A bar of 2:1 that spins and swings along itself by 1e-2: the centrifugal force drew it out by the strain at the step's start, and gained 0.2 % in 50 periods,
 -- 34 % in 1000. Now what is off is bounded, and goes with the square of the step.
 local function spinning(n)
-  local period = 2*math.pi/math.sqrt(3*young/density)  -- m, of the half length 1
+  local period = 2*math.pi/math.sqrt(3*young/density)  -- of a half length of 1 m
   local bar = talus.simulation {
     regions = { talus.region { name = "bar", outline = corners(0, 0, 1, 0.5, 0), material = rock, stress = { sxx = -0.01*young },
                                spin = math.sqrt(1e-3*3*young/density) } },

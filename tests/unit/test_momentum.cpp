@@ -61,11 +61,13 @@ double kept_angular_momentum(const Model& model) {
     const BlockShape& s = model.shapes[b];
     const BlockState& state = model.blocks[b];
     const auto& v = state.velocity;
+    const auto mass = mass_matrix(model, b);
+    const double spin = mass.row(2).dot(v.column<6>()) / mass(2, 2);
     Mat2 stretch, moments;
     stretch << 1 + state.strain[0], state.strain[2] / 2, state.strain[2] / 2, 1 + state.strain[1];
     moments << s.xx, s.xy, s.xy, s.yy;
     const double inertia = model.material(b).density * (stretch * moments * stretch).trace();
-    sum += model.mass(b) * cross(state.centroid, Vec2(v[0], v[1])) + inertia * mean_spin(model, b, state) / s.length;
+    sum += model.mass(b) * cross(state.centroid, Vec2(v[0], v[1])) + inertia * spin / s.length;
   }
   return sum;
 }

@@ -380,7 +380,11 @@ TEST(SecondOrder, AStepKeepsTheMomentum) {
         const BlockShape& s = model.shapes[size_t(b)];
         const BlockState& state = model.blocks[size_t(b)];
         const Vec2 v(state.velocity[0], state.velocity[1]);
-        const double own = moment_of_inertia(model, b, state.strain, state.bend) * s.length * mean_spin(model, b, state);
+        const double spin = with_size(s.second_order(), [&](auto n) {
+          const MatrixOf<n> mass = mass_matrix_of<n>(model, b);
+          return mass.row(2).dot(state.velocity.template column<n>()) / mass(2, 2);
+        });
+        const double own = moment_of_inertia(model, b, state.strain, state.bend) * s.length * spin;
         sum += Vec3(model.mass(b) * v.x(), model.mass(b) * v.y(), model.mass(b) * cross(state.centroid, v) + own);
       }
       return sum;
