@@ -29,6 +29,7 @@ void carry(const Contact& from, Contact& to) {
   to.stretch = from.stretch - from.shear_force / from.shear_stiffness + from.shear_force / to.shear_stiffness;
   to.slip = from.slip;
   to.offset = from.offset;
+  to.height = from.height;
   to.lies = from.lies;
   to.normal_force = from.normal_force;
   to.shear_force = from.shear_force;
@@ -113,7 +114,7 @@ void take_over(const Model& model, Contact& c) {
 }
 
 // A corner that slides from the face of one block on to that of the next, which stands out a little farther, is not pressed by that step, which
-// it could not have climbed: its height is the contact's overlap, until a step leads down again. Where the faces meet in an edge there is none,
+// it could not have climbed: its height is the contact's offset, until it has climbed or a step leads down again. Where the faces meet in an edge there is none,
 // and the way along them bends. Returns how much farther, m.
 double step_over(const Model& model, const Contact& old, Contact& c) {
   const auto corner = [&](const Contact& of, int k) { return model.vertex[size_t(model.shapes[size_t(of.j)].vertex_begin + k)]; };
@@ -122,7 +123,7 @@ double step_over(const Model& model, const Contact& old, Contact& c) {
   const bool first = distance_to_segment(from, to, ends[0]) < distance_to_segment(from, to, ends[1]);
   const double up = edge_normal(model, old).dot(ends[first ? 0 : 1] - from);
   const double size = std::min(model.shapes[size_t(c.i)].length, model.shapes[size_t(c.j)].length);
-  if (up > climbed_part * size && up <= passing_tolerance * size) c.offset += up;
+  if (up > 0 && up <= passing_tolerance * size) c.offset += up;
   if (up < 0) c.offset = std::max(std::min(0.0, c.offset), c.offset + up);
   return up;
 }
@@ -170,18 +171,20 @@ double carry_over(const Model& model, double dt, bool cracked, std::vector<Conta
       c->shear_stiffness *= stiffer;
       carry(*old, *c);
       // Deeper by the other block's face, which lies a little otherwise: not a load.
-      const double deeper = gap_now(model, *old) - c->gap;
+      const double deeper = gap_now(model, *old) - c->gap, pressed = c->offset;
       if (old->i == c->j) c->offset += std::max(0.0, deeper);
       if (old->global_vertex == c->global_vertex) {
         const double up = old->j != c->j ? std::max(0.0, step_over(model, *old, *c)) : 0;
         if (dt > 0) c->offset += std::max(0.0, deeper - up);  // by which the face bends up: in motion its height is no load either
       }
+      c->height = std::clamp(c->height + c->offset - pressed, 0.0, std::max(0.0, c->offset));
       c->deeper = deeper + old->offset - c->offset;
       c->offset += old->normal_force / old->normal_stiffness - old->normal_force / c->normal_stiffness;
       c->load_shear = std::numeric_limits<double>::quiet_NaN();
       stored -= c->stored();
     } else {
       c->offset = born_with(model, *c, dt, cracked);
+      if (!cracked && model.time > 0) c->height = c->offset;
       if (c->joint >= 0) take_over(model, *c);
     }
   }

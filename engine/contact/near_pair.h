@@ -168,7 +168,7 @@ class NearPair {
   // Whether the outline turns inwards at corner `v` of `block`; outwards. Inwards also by little, where what goes by would come to lie under the face beyond.
   bool inner(int block, int v) const {
     const double turn = outline_.turn(global(block, v));
-    return turn < -parallel_sine || -turn * way_ > climbed_part * least_ || notch(block, v) || valley(block, v);
+    return turn < -parallel_sine || -turn * way_ > level_part * least_ || notch(block, v) || valley(block, v);
   }
   bool own(int block, int v) const { return leaving(block, v).block == block && arriving(block, v).block == block; }  // and no other of its body
   bool notch(int block, int v) const { return own(block, v) && outline_.turn(global(block, v)) < -closed_crack && ahead(block, v).dot(behind(block, v)) > 0; }
@@ -176,7 +176,7 @@ class NearPair {
   bool valley(int block, int v) const {
     const int corner = global(block, v);
     if (!(outline_.turn(corner) < 0) || !own(block, v)) return false;
-    return -outline_.turn(corner) * std::sqrt(std::min(ahead(block, v).squaredNorm(), behind(block, v).squaredNorm())) > climbed_part * least_;
+    return -outline_.turn(corner) * std::sqrt(std::min(ahead(block, v).squaredNorm(), behind(block, v).squaredNorm())) > level_part * least_;
   }
   bool outer(int block, int v) const { return outline_.turn(global(block, v)) > parallel_sine; }
   bool convex(int block, int v) const { return outline_.turn(global(block, v)) > 0; }

@@ -11,9 +11,9 @@ constexpr double parallel_sine = 0.052;
 // A corner that stays this near to the plane of a face, in units of the smaller block's √area, with an edge along the
 // face, slides on it and does not catch on the face round its end: coplanar blocks pass their load on without a snag.
 constexpr double flush_part = 1e-4;
-// What slides on to a face that lies higher by less than this part of the smaller block's √area climbs it: elastic steps between loaded and unloaded
-// faces are of 1e-6; of this, k/2 h² is 0.3 % of what 1 m of 50 GPa moves with at 2 m/s.
-constexpr double climbed_part = 1e-5;
+// An outline that turns inwards by so little that what goes by lies under the face beyond by less than this part of the smaller block's √area counts as
+// straight: what lies on it is pressed in by as much.
+constexpr double level_part = 1e-5;
 
 class Outline {
  public:

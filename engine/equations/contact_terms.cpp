@@ -12,6 +12,8 @@ namespace talus {
 namespace {
 
 constexpr double near_part = 1e-3;
+// What slides climbs to the face's height within this part of the smaller block's √area, but nowhere up a steeper slope than the second.
+constexpr double climbed_within = 0.1, steepest_climb = 1e-3;
 
 // Change along `direction` of the place of the vertex `local` of a block under unit unknowns, beyond the turning of the block.
 template <int n>
@@ -19,6 +21,25 @@ ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int lo
   const int v = model.shapes[block].vertex_begin + local;
   const Vec3 m = model.shapes[block].second_order() ? model.corner_bend[v] : Vec3(0, 0, 0);
   return poses.blocks[block].rows<n>(model.reference_vertex[v], poses.vertex[v], m).transpose() * direction;
+}
+
+// A corner that has come on to a face which lies higher climbs to that as it slides on: the height, which its offset keeps from
+// being a load, goes, and the force is that of the slope, so that what slides pays for what is lifted (theory, § 5). Which way it
+// slides its friction says, also of what slips at rest; without friction the speed does, and the slope is less than what would stop that in this step.
+double climb(const Model& model, const Contact& contact, double sliding, double dt) {
+  if (contact.height <= 0 || contact.state != ContactState::slip) return 0;
+  const double size = std::min(model.shapes[contact.i].length, model.shapes[contact.j].length);
+  double slope = std::min(contact.height / (climbed_within * size), steepest_climb);
+  if (contact.shear_force != 0) return std::copysign(slope, contact.shear_force);
+  const double impulse = 2 * contact.normal_force * dt, momentum = std::min(model.mass(contact.i), model.mass(contact.j)) * sliding;
+  if (dt == 0 || sliding == 0) return 0;
+  if (slope * impulse > std::abs(momentum)) slope = std::abs(momentum) / impulse;
+  return std::copysign(slope, sliding);
+}
+
+void add_slope(ContactRows& row) {
+  for (int k = 0; k < row.size_i; ++k) row.normal_i[size_t(k)] -= row.climb * row.shear_i[size_t(k)];
+  for (int k = 0; k < row.size_j; ++k) row.normal_j[size_t(k)] -= row.climb * row.shear_j[size_t(k)];
 }
 
 }  // namespace
@@ -83,7 +104,10 @@ void ContactTerms::linearise(const Model& model, Poses& poses, const Scheme& sch
       set_rows<n>(model, contact, poses, at, foot, span, along, row);
     });
     const Rates &vi = model.blocks[contact.i].velocity, &vj = model.blocks[contact.j].velocity;
-    const double approach = dot(row.normal_i, vi) + dot(row.normal_j, vj), sliding = dot(row.shear_i, vi) + dot(row.shear_j, vj);
+    const double sliding = dot(row.shear_i, vi) + dot(row.shear_j, vj);
+    row.climb = climb(model, contact, sliding, scheme.dt);
+    if (row.climb != 0) add_slope(row);
+    const double approach = dot(row.normal_i, vi) + dot(row.normal_j, vj);
     row.gap0 = gap + contact.offset + scheme.contact_v * approach + scheme.bond_ahead * normal.dot(model.rising(contact.i) - model.rising(contact.j));
     if (contact.lies) row.gap0 = scheme.dt * approach - contact.normal_force / contact.normal_stiffness;
     row.rounding = contact.lies ? 0 : rounding_of_gap(model, contact);

@@ -19,6 +19,7 @@ struct ContactScalars {
   double rounding;      // m, of gap0; none where that is no difference of places, see Contact::lies
   double faster;        // m/s, by which sliding has become faster as the step began: as held blocks have, or, in the first, all that there is
   double kn, ks;        // N/m
+  double climb;         // by how much less the gap is for each m of sliding, see climb()
   double friction, cohesion;  // tan φ; N
   int contact;          // index into Model::contacts
   bool near;            // may press in this step; the others are not solved for, only watched

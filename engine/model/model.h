@@ -213,6 +213,7 @@ struct Contact {
   double normal_stiffness = 0, shear_stiffness = 0;  // N/m
   double gap = 0;                     // m, negative when pressed together
   double offset = 0;                  // m, overlap at birth that is not counted as pressing; < 0: pressed by a bond before
+  double height = 0;                  // m, of the offset, by which the face that it has come on to lies higher: it climbs to that as it slides
   bool lies = false;                  // at rest, where its gap is by rounding what its force says: then that is its gap
   double stretch = 0;                 // m, elastic part of the sliding: shear force / shear stiffness; until end_sliding() all of it
   double slip = 0;                    // m, plastic part, accumulated along the edge

@@ -109,13 +109,17 @@ void OpenClose::store(const ContactRows& row, double factor, const Vector& d, Co
   contact.state = contact.normal_force <= 0 && limit <= 0 ? ContactState::open
                   : contact.shear_force == trial ? ContactState::stick
                                                  : ContactState::slip;
+  const double slid = slide - contact.stretch;
   contact.stretch = slide;
   if (contact.state == ContactState::open) contact.slip = contact.stretch = contact.load_slip = contact.load_shear = 0;
   contact.gap = gap - contact.offset;
-  if (contact.offset > 0)
-    contact.offset = std::clamp(-contact.gap, 0.0, contact.offset);  // shrinks as the bodies separate
-  else if (gap > 0)
+  if (contact.offset > 0) {
+    const double climbed = std::min(contact.height, row.climb * slid);
+    contact.offset = std::clamp(-contact.gap, 0.0, std::max(0.0, contact.offset - climbed));  // shrinks as the bodies separate
+    contact.height = std::min(contact.height - climbed, contact.offset);
+  } else if (gap > 0) {
     contact.offset = 0;  // what a bond was pressed with is gone
+  }
 }
 
 }  // namespace talus
