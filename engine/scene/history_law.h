@@ -8,16 +8,25 @@
 namespace talus {
 
 // A number that may change with time t (s): a constant, a table of (t, value) with straight lines between
-// and held ends, or a function. A function may throw InputError or RunError.
+// and held ends, or a function, which may throw InputError or RunError; and what is left of what it was before it was changed.
 class History {
  public:
   History(double constant = 0) : constant_(constant) {}
   explicit History(std::vector<std::pair<double, double>> table) : table_(std::move(table)) {}
   explicit History(std::function<double(double)> function) : function_(std::move(function)) {}
 
-  bool given() const { return function_ || !table_.empty() || constant_ != 0; }
+  bool given() const { return function_ || !table_.empty() || constant_ != 0 || left_ != 0; }
 
-  double at(double t) const {
+  // From `value` at the time `since` it comes to what it says at `until`, in a straight line beside how that goes on.
+  void come_from(double value, double since, double until) {
+    left_ = value - says(since);
+    since_ = since;
+    until_ = until;
+  }
+
+  double at(double t) const { return left_ != 0 && t < until_ ? says(t) + left_ * std::min(1.0, (until_ - t) / (until_ - since_)) : says(t); }
+
+  double says(double t) const {
     if (function_) return function_(t);
     if (table_.empty()) return constant_;
     auto next = std::upper_bound(table_.begin(), table_.end(), t, [](double a, const auto& row) { return a < row.first; });
@@ -37,7 +46,7 @@ class History {
     return next == table_.end() ? std::numeric_limits<double>::infinity() : next->first;
   }
 
-  bool constant() const { return !function_ && table_.empty(); }
+  bool constant() const { return !function_ && table_.empty() && left_ == 0; }
   bool is_function() const { return bool(function_); }
 
   // ∫ from `begin` to `end`, not before it: exact for constants and tables; Gauss's rule with 16 points for functions, for no more than a
@@ -64,10 +73,14 @@ class History {
     visitor("constant", constant_);
     visitor.growing("table", table_);
     visitor.law(function_);
+    visitor("left", left_);
+    visitor("since", since_);
+    visitor("until", until_);
   }
 
  private:
   double constant_ = 0;
+  double left_ = 0, since_ = 0, until_ = 0;  // of what it was, s, s
   std::vector<std::pair<double, double>> table_;
   std::function<double(double)> function_;
 };

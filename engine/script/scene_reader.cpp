@@ -345,7 +345,16 @@ Scene read_scene(const TableReader& t) {
   return s;
 }
 
-void update_scene(Scene& scene, const std::string& list, int index, const TableReader& entry, double time) {
+namespace {
+
+void come_from(const std::array<History, 2>& before, std::array<History, 2>& now, double time, double until) {
+  if (until <= time) return;
+  for (const size_t k : {0, 1}) now[k].come_from(before[k].at(time), time, until);
+}
+
+}  // namespace
+
+void update_scene(Scene& scene, const std::string& list, int index, const TableReader& entry, double time, double until) {
   const auto i = static_cast<std::size_t>(index);
   if (list == "materials") {
     scene.materials.at(i) = read_material(entry);
@@ -355,11 +364,16 @@ void update_scene(Scene& scene, const std::string& list, int index, const TableR
     Fixity changed = read_fixity(entry);
     changed.gone = scene.fixities.at(i).moved(time);
     changed.since = time;
+    if (changed.motion == Fixity::displacement) come_from({changed.gone.x(), changed.gone.y()}, changed.value, time, until);
     scene.fixities.at(i) = std::move(changed);
   } else if (list == "point_loads") {
-    scene.point_loads.at(i) = read_point_load(entry);
+    PointLoad changed = read_point_load(entry);
+    come_from(scene.point_loads.at(i).force, changed.force, time, until);
+    scene.point_loads.at(i) = std::move(changed);
   } else if (list == "edge_loads") {
-    scene.edge_loads.at(i) = read_edge_load(entry);
+    EdgeLoad changed = read_edge_load(entry);
+    come_from(scene.edge_loads.at(i).traction, changed.traction, time, until);
+    scene.edge_loads.at(i) = std::move(changed);
   } else {
     throw std::logic_error("scene table: no list " + list);
   }

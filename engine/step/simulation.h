@@ -61,6 +61,8 @@ class Simulation {
   // To be called before materials, joint properties, supports or velocities are changed between two steps of motion: what that adds to
   // the energy is work put in.
   void before_change();
+  // s, until when a load or support that is changed now comes to what it becomes: over the next load step. 0 in motion, and before the first: at once.
+  double change_until() const { return plan.dynamic || totals.steps == 0 ? 0 : next_load(); }
   StepParts& step_parts() { return *parts_; }
   Stepper& stepper() { return *stepper_; }
   // Smoothed stress, brought up to date on first use after a step. Null when numerics.recovery is off.
