@@ -30,6 +30,7 @@ void carry(const Contact& from, Contact& to) {
   to.slip = from.slip;
   to.offset = from.offset;
   to.height = from.height;
+  to.slope = from.slope;
   to.lies = from.lies;
   to.normal_force = from.normal_force;
   to.shear_force = from.shear_force;

@@ -80,6 +80,7 @@ struct Choice {
   double gap, ahead;   // m, now and where contacts are judged
   double from, until;  // parts of the way there between which the line keeps the corners apart; 2: to the end
   double beyond;       // m, from the edge's nearer end, outside it
+  bool left;           // the corner is past the edge's end, and goes away from it: it cannot come to press there
 };
 
 // Of lines that separate two corners, the one that is penetrated last: what keeps them apart from now on the longest, or one that does
@@ -133,11 +134,12 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
     // Where it comes to the line there is no edge: nothing is met there, and nothing kept apart. Beyond the other end that is for
     // the corner there to say.
     const double met = place_met(edge, gap, s, way), past = end == End::first ? -met : met - edge.length;
-    const auto comes_on = [&] { return past < edge.along.dot(way) * (end == End::first ? 1 : -1) && pair.slides_on(bv, vertex, be, e); };
+    const double back = edge.along.dot(way) * (end == End::first ? 1 : -1);
+    const auto comes_on = [&] { return past < back && pair.slides_on(bv, vertex, be, e); };
     if (ahead < 0 && past > pair.beside() && !comes_on()) return;
     if (ahead < 0 && past < -edge.length && !pair.within(be, e, met, edge.length)) return;
     const double apart = std::max(0.0, gap - pair.meeting()), until = ahead < 0 ? apart / (apart - ahead) : 2;
-    choices.push_back({bv, vertex, be, e, gap, ahead, 0, until, std::max({0.0, -s, s - edge.length})});
+    choices.push_back({bv, vertex, be, e, gap, ahead, 0, until, std::max({0.0, -s, s - edge.length}), past > pair.beside() && back < 0});
   };
   consider(i, v, j, w, End::first);
   consider(i, v, j, w0, End::last);
@@ -160,6 +162,7 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
   for (Choice& c : choices)
     if (const double under = -c.gap - pressed; under > 0) c.from = under / (under + std::max(0.0, c.ahead));
   const Choice best = penetrated_last(choices, corner_part * pair.least(), pair.noise(v));
+  if (best.left && best.ahead >= 0) return;
   if (best.gap > pair.reach() || best.gap < pair.deepest()) return;
   found.push_back(pair.contact(best.block_v, best.vertex, best.block_e, best.edge, best.gap, true));
 }

@@ -12,8 +12,9 @@ namespace talus {
 namespace {
 
 constexpr double near_part = 1e-3;
-// What slides climbs to the face's height within this part of the smaller block's √area, but nowhere up a steeper slope than the second.
-constexpr double climbed_within = 0.1, steepest_climb = 1e-3;
+// What slides climbs to the face's height within this part of the smaller block's √area, or twice its way in the step where that is more, but nowhere up
+// a steeper slope than the second, nor one that would take more than these parts of its friction and of its momentum, of which every contact of a block takes some.
+constexpr double climbed_within = 0.1, steepest_climb = 1e-3, of_friction = 0.5, of_momentum = 0.05;
 
 // Change along `direction` of the place of the vertex `local` of a block under unit unknowns, beyond the turning of the block.
 template <int n>
@@ -25,16 +26,15 @@ ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int lo
 
 // A corner that has come on to a face which lies higher climbs to that as it slides on: the height, which its offset keeps from
 // being a load, goes, and the force is that of the slope, so that what slides pays for what is lifted (theory, § 5). Which way it
-// slides its friction says, also of what slips at rest; without friction the speed does, and the slope is less than what would stop that in this step.
+// slides its friction says, also of what slips at rest; without friction the speed does.
 double climb(const Model& model, const Contact& contact, double sliding, double dt) {
-  if (contact.height <= 0 || contact.state != ContactState::slip) return 0;
+  if (contact.height <= 0 || contact.state != ContactState::slip || contact.normal_force <= 0) return 0;
+  const double way = contact.shear_force != 0 ? contact.shear_force : sliding;
   const double size = std::min(model.shapes[contact.i].length, model.shapes[contact.j].length);
-  double slope = std::min(contact.height / (climbed_within * size), steepest_climb);
-  if (contact.shear_force != 0) return std::copysign(slope, contact.shear_force);
-  const double impulse = 2 * contact.normal_force * dt, momentum = std::min(model.mass(contact.i), model.mass(contact.j)) * sliding;
-  if (dt == 0 || sliding == 0) return 0;
-  if (slope * impulse > std::abs(momentum)) slope = std::abs(momentum) / impulse;
-  return std::copysign(slope, sliding);
+  const double slope = contact.height / std::max(climbed_within * size, 2 * std::abs(sliding) * dt);
+  double most = of_friction * std::abs(contact.shear_force);  // N
+  if (dt > 0 && sliding * way > 0) most = std::max(most, of_momentum * std::min(model.mass(contact.i), model.mass(contact.j)) * std::abs(sliding) / dt);
+  return std::copysign(std::min({slope, steepest_climb, most / contact.normal_force}), way);
 }
 
 void add_slope(ContactRows& row) {

@@ -214,6 +214,7 @@ struct Contact {
   double gap = 0;                     // m, negative when pressed together
   double offset = 0;                  // m, overlap at birth that is not counted as pressing; < 0: pressed by a bond before
   double height = 0;                  // m, of the offset, by which the face that it has come on to lies higher: it climbs to that as it slides
+  double slope = 0;                   // of that climb, in the last step: as much of the normal force acts against the vertex's way along the edge
   bool lies = false;                  // at rest, where its gap is by rounding what its force says: then that is its gap
   double stretch = 0;                 // m, elastic part of the sliding: shear force / shear stiffness; until end_sliding() all of it
   double slip = 0;                    // m, plastic part, accumulated along the edge

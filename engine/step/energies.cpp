@@ -75,7 +75,7 @@ double strain_energy(const Model& model, const JointTerms& joints, const Support
 Vec2 contact_push(const Model& model, const Contact& c) {
   const int next = model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge);
   const Vec2 along = (model.vertex[next] - model.vertex[c.global_edge]).normalized();
-  return -c.normal_force * perp(along) - c.shear_force * along;
+  return -c.normal_force * perp(along) - (c.shear_force + c.slope * c.normal_force) * along;
 }
 
 double contact_energy(std::span<const Contact> contacts) {

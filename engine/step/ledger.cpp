@@ -156,7 +156,8 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
     const Before& b = before_[k];
     if (c.normal_force > 0 || b.pressed > 0) {
       const double pressed = c.normal_force / c.normal_stiffness;
-      ledger.numerical_flow += -c.normal_force * (gap_now(model, c) - b.gap) -
+      const double slid = c.stretch - b.stretch + c.slip - b.slip;
+      ledger.numerical_flow += -c.normal_force * (gap_now(model, c) - b.gap - c.slope * slid) -
                                c.normal_stiffness / 2 * (squared(pressed) - squared(b.pressed));
     }
     if (c.stretch != 0 || b.stretch != 0)
