@@ -2,7 +2,7 @@
 -- the next, which is not pressed yet and stands higher. That height was an offset of the contact for good: the block sank by a fifth of the columns' compression at each joint, and in the end a corner
 -- caught on a column's side: at 1 GPa it jumped by 0.8 mm in the first pass, a quarter of the work put in was gone, friction was 1 % off.
 -- Bounds: friction is μN, and the path's height within what the columns give way to (between a block on four of them and one on five, and the pitch of its shear): a third of
--- the compression σh/E. Unexplained at most 1 %, in motion 0.1 %. Fast ones, a third of their length a step, to the speed that μ g leaves; their steps are cut no more than 5 %. (9 s CPU)
+-- the compression σh/E. Unexplained at most 1 %, in motion 0.1 %. Fast ones, a tenth and a third of their length a step, come to the speed that μ g leaves; their steps are cut no more than 5 %. (9 s CPU)
 local talus = require "talus"
 local check = talus.check
 local g, density, mu, width, long = 9.81, 2500, 0.3, 0.25, 1
@@ -60,8 +60,8 @@ for _, young in ipairs { 1e10, 1e9 } do
   check.below(label .. "unexplained, largest, of the scale", seen.unexplained, 0.01)
 end
 
--- Slid at 10 m/s, from four places.
-for _, dt in ipairs { 1e-2, 5e-3 } do
+-- Slid from four places.
+for _, speed in ipairs { 3, 10 } do
   local steps, cuts, off = 0, 0, 0
   for place = 0, 3 do
     local rock = talus.material { name = "rock", density = density, young = 50e9, poisson = 0.2 }
@@ -70,15 +70,15 @@ for _, dt in ipairs { 1e-2, 5e-3 } do
     local sim = talus.simulation {
       gravity = {0, -g}, contact = talus.joint { name = "seat", friction = math.atan(mu) },
       regions = { talus.region { name = "floor", blocks = columns, material = rock },
-                  talus.region { name = "sled", outline = talus.rect(x, 0, x + 0.3, 0.3), material = rock, velocity = {10, 0} } },
+                  talus.region { name = "sled", outline = talus.rect(x, 0, x + 0.3, 0.3), material = rock, velocity = {speed, 0} } },
       fix = { talus.fix { region = "floor", on = "bottom" } },
-      time = { mode = "dynamic", t_end = 0.6, dt = dt, start = "settled" },
+      time = { mode = "dynamic", t_end = 0.6, dt = 1e-2, start = "settled" },
     }
     sim:run()
     steps, cuts = steps + sim.totals.steps, cuts + sim.totals.cuts
-    off = math.max(off, math.abs(sim.blocks[#sim.blocks].velocity[1] - (10 - mu*g*0.6)))
+    off = math.max(off, math.abs(sim.blocks[#sim.blocks].velocity[1] - (speed - mu*g*0.6)))
   end
-  local label = string.format("slid over columns at 10 m/s, %g s: ", dt)
+  local label = string.format("slid over columns at %g m/s: ", speed)
   check.below(label .. "steps cut, part of all", cuts/steps, 0.05)
   check.below(label .. "speed off, m/s", off, 1e-4)
 end
