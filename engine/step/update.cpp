@@ -65,11 +65,21 @@ bool crushed(const Model& model, int block, const BlockState& to) {
   return now < least && now < left(model.blocks[block].strain);
 }
 
+namespace {
+
+bool is_supported(const Model& model, int block) {
+  const auto here = [block](const auto& fixity) { return fixity.block == block; };
+  return model.held_by[size_t(block)] >= 0 || std::ranges::any_of(model.point_fixities, here) || std::ranges::any_of(model.edge_fixities, here);
+}
+
+}  // namespace
+
 const Contact* driven_in(const Model& model) {
   constexpr double most = 0.1;  // of √area
   const auto contacts = model.awake_contacts();
   const auto found = std::ranges::find_if(contacts, [&](const Contact& c) {
-    return c.normal_force > most * c.normal_stiffness * std::min(model.shapes[c.i].length, model.shapes[c.j].length);
+    return c.normal_force > most * c.normal_stiffness * std::min(model.shapes[c.i].length, model.shapes[c.j].length) &&
+           (is_supported(model, c.i) || is_supported(model, c.j));
   });
   return found == contacts.end() ? nullptr : &*found;
 }

@@ -38,3 +38,15 @@ for _, case in ipairs(cases) do
   talus.check.below(name .. ": deepest contact, m", deepest, 0.1*math.sqrt(0.4995) + 0.02)
   talus.check.above(name .. ": time reached, s", sim.time, 0.7)
 end
+
+-- What is free gives way: rigid blocks on soft joints that hit at 120 m/s are pressed in by more than a tenth, v √(m/2k), and part.
+local flying = talus.simulation { contact = talus.joint { name = "soft", friction = 0, stiffness = { per = "area", value = 1e9 } },
+  regions = { talus.region { name = "block", outline = talus.rect(-0.5, 0, 0.5, 1), material = rock, order = "rigid" },
+              talus.region { name = "stone", outline = talus.rect(-0.5, 1.001, 0.5, 2.001), material = rock, order = "rigid", velocity = {0, -120} } },
+  time = { mode = "dynamic", t_end = 0.05, dt = 1e-5 } }
+local deepest = 0
+for _ in flying:steps() do
+  for _, c in ipairs(flying.contacts) do deepest = math.max(deepest, -c.gap) end
+end
+talus.check.above("two in flight that hit: deepest contact, m", deepest, 0.11)
+talus.check.above("two in flight that hit: they part, m/s", flying.blocks[2].velocity[2] - flying.blocks[1].velocity[2], 60)
