@@ -126,7 +126,7 @@ double step_over(const Model& model, const Contact& old, Contact& c) {
   const double size = std::min(model.shapes[size_t(c.i)].length, model.shapes[size_t(c.j)].length);
   if (up > 0 && up <= passing_tolerance * size) c.offset += up;
   if (up < 0) c.offset = std::max(std::min(0.0, c.offset), c.offset + up);
-  return up;
+  return std::max(0.0, up);
 }
 
 }  // namespace
@@ -175,7 +175,7 @@ double carry_over(const Model& model, double dt, bool cracked, std::vector<Conta
       const double deeper = gap_now(model, *old) - c->gap, pressed = c->offset;
       if (old->i == c->j) c->offset += std::max(0.0, deeper);
       if (old->global_vertex == c->global_vertex) {
-        const double up = old->j != c->j ? std::max(0.0, step_over(model, *old, *c)) : 0;
+        const double up = old->j != c->j ? step_over(model, *old, *c) : 0;
         if (dt > 0) c->offset += std::max(0.0, deeper - up);  // by which the face bends up: in motion its height is no load either
       }
       c->height = std::clamp(c->height + c->offset - pressed, 0.0, std::max(0.0, c->offset));

@@ -113,7 +113,7 @@ void OpenClose::store(const ContactRows& row, double factor, const Vector& d, Co
   contact.stretch = slide;
   if (contact.state == ContactState::open) contact.slip = contact.stretch = contact.load_slip = contact.load_shear = 0;
   contact.gap = gap - contact.offset;
-  contact.slope = contact.normal_force > 0 ? row.climb : 0;
+  contact.slope = row.climb;
   if (contact.offset > 0) {
     const double climbed = std::min(contact.height, row.climb * slid);
     contact.offset = std::clamp(-contact.gap, 0.0, std::max(0.0, contact.offset - climbed));  // shrinks as the bodies separate
