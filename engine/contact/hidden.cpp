@@ -56,7 +56,7 @@ class Hiding {
   }
 
  private:
-  double flush_of(const Contact& c) const { return flush_part * std::min(model_.shapes[size_t(c.i)].length, model_.shapes[size_t(c.j)].length); }
+  double flush_of(const Contact& c) const { return flush_distance(model_, c.i, c.j); }
   template <typename Is>
   bool any_of_corner(int corner, Is is) const {
     auto c = std::lower_bound(found_.begin(), found_.end(), corner, [](const Contact& of, int vertex) { return of.global_vertex < vertex; });

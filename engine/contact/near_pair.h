@@ -39,6 +39,7 @@ class NearPair {
         dt_(dt),
         judged_(dt + judged_ahead(model.scene.numerics, dt)),
         least_(std::min(model.shapes[i].length, model.shapes[j].length)),
+        flush_(flush_distance(model, i, j)),
         way_(way),
         reach_(search_margin * least_ + way),
         fast_(way > beside()),
@@ -106,7 +107,7 @@ class NearPair {
   double deepest() const { return -0.25 * least_; }
   double least() const { return least_; }
   double meeting() const { return meeting_part * least_; }
-  double flush() const { return flush_part * least_; }
+  double flush() const { return flush_; }
   double noise(int v) const { return 32 * std::numeric_limits<double>::epsilon() * model_.size_of(vertex(i_, v)); }
   double beside() const { return beside_part * least_; }
   bool fast() const { return fast_; }
@@ -248,7 +249,7 @@ class NearPair {
   const Outline outline_;
   const Faces& faces_;
   int i_, j_;
-  double dt_, judged_, least_, way_, reach_;  // s, s, m, m, m; judged_: from the start to the places that contacts are judged at
+  double dt_, judged_, least_, flush_, way_, reach_;  // s, s, m, m, m, m; judged_: from the start to the places that contacts are judged at
   bool fast_;                           // may pass an edge by in the step
   double turn_;                         // rad, of i as seen from j until contacts are judged
 };

@@ -34,7 +34,7 @@ double climb(const Model& model, const Contact& contact, double sliding, double 
   const double slope = contact.height / std::max(climbed_within * size, 2 * std::abs(sliding) * dt);
   double most = of_friction * std::abs(contact.shear_force);  // N
   if (dt > 0 && sliding * way > 0) most = std::max(most, of_momentum * std::min(model.mass(contact.i), model.mass(contact.j)) * std::abs(sliding) / dt);
-  return std::copysign(std::min({slope, steepest_climb, most / contact.normal_force}), way);
+  return std::copysign(std::min({slope, std::max(steepest_climb, 2 * contact.height / size), most / contact.normal_force}), way);
 }
 
 void add_slope(ContactRows& row) {

@@ -222,6 +222,17 @@ void BridgeBooking::book(const Model& model, double taken, Ledger& ledger) const
   for (const auto& [j, then] : before_) ledger.fracture_work -= bridge_energy(model.joints[j]) - bridge_energy(then);
 }
 
+namespace {
+
+// N, of a contact as it would begin to slide from where it is.
+double slides_against(const Model& model, const Contact& c) {
+  if (c.state != ContactState::stick) return std::abs(c.shear_force);
+  const Strength strength = model.contact_strength(c);
+  return std::tan(strength.friction) * c.normal_force + strength.cohesion * c.length;
+}
+
+}  // namespace
+
 LoadStepBooking::LoadStepBooking(const Model& model, const Supports& supports, double time, bool unloaded)
     : unloaded_(unloaded),
       forces_(forces(model, unloaded ? model.time : time)),  // unloaded: for their places alone
@@ -245,9 +256,9 @@ void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledge
     ledger.boundary_work += (reactions_[f] + reaction[f]).dot(moved) / 2;
   }
   for (Contact& c : model.contacts) {
-    const double before = unloaded_ ? 0 : std::isnan(c.load_shear) ? c.shear_force : c.load_shear;
-    if (c.state != ContactState::open) ledger.friction_work += (std::abs(before) + std::abs(c.shear_force)) / 2 * std::abs(c.slip - c.load_slip);
-    c.load_shear = c.shear_force;
+    const double after = std::abs(c.shear_force), before = unloaded_ ? 0 : std::isnan(c.load_friction) ? after : c.load_friction;
+    if (c.state != ContactState::open) ledger.friction_work += (before + after) / 2 * std::abs(c.slip - c.load_slip);
+    c.load_friction = slides_against(model, c);
     c.load_slip = c.slip;
   }
   keep_largest(ledger);

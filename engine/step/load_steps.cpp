@@ -19,6 +19,9 @@ constexpr double least_increment = 1e-6;  // part of t_end, or of a jump of load
 constexpr double most_bend = 0.01;
 constexpr double least_bend = 1e-6;  // part of the ledger's scale: what moves along free is not looked at so closely
 constexpr double finest_increment = 1.0 / 256;  // and of a jump of loads
+// Where the ledger as a whole comes to be off by half of what it may: a tenth of that, and finer parts, unless what is off goes by the length of the part.
+constexpr double most_off = 0.005;  // part of the ledger's scale
+constexpr double strict_bend = most_bend / 10, strict_increment = finest_increment / 256, by_length = 2;
 // Bounds of a load step, so that it ends whatever its contacts and bonds do. What stands is found in some hundreds of
 // solves, also where bonds soften near their limit.
 constexpr int most_search_solves = 1000;  // of one look for equilibrium
@@ -32,8 +35,6 @@ double exchanged(const Ledger& before, const Ledger& now) {
   return std::abs(now.boundary_work - before.boundary_work) + std::abs(now.external_work - before.external_work) +
          std::abs(now.gravity_work - before.gravity_work);
 }
-
-double bend_allowed(const Ledger& before, const Ledger& now) { return std::max(most_bend * exchanged(before, now), least_bend * now.scale()); }
 
 class Unstressed {  // blocks without their initial stress, while this lives
  public:
@@ -112,7 +113,7 @@ bool LoadSteps::load_part(const LoadPath& path, bool follow, bool first, StepRep
   book(booking, first);
   if (follow) {
     const double off = closure->work(model_, ledger_.friction_work - before.friction_work);
-    if (std::abs(off) > bend_allowed(before, ledger_) && may_quarter(path)) {
+    if (bent(off, before) && may_quarter(path, off)) {
       ledger_ = before;
       return false;
     }
@@ -124,8 +125,19 @@ bool LoadSteps::load_part(const LoadPath& path, bool follow, bool first, StepRep
   return true;
 }
 
-bool LoadSteps::may_quarter(const LoadPath& path) const {
-  return path.length() > finest_increment * (path.jumps() ? 1 : model_.scene.time.t_end / model_.scene.time.steps) || path.meets_jump();
+// Whether what contacts leave of the energy exchanged since `before`, J/m, is too much.
+bool LoadSteps::bent(double off, const Ledger& before) {
+  const double rest = parts_.energies().unexplained;  // less `off`, which is what is missing
+  strict_ = std::abs(rest) > most_off * ledger_.scale() && rest * off < 0;
+  return std::abs(off) > std::max((strict_ ? strict_bend : most_bend) * exchanged(before, ledger_), least_bend * ledger_.scale());
+}
+
+bool LoadSteps::may_quarter(const LoadPath& path, double off) {
+  const double unit = path.jumps() ? 1 : model_.scene.time.t_end / model_.scene.time.steps;
+  const double before = std::exchange(off_rate_, off / path.length());
+  if (path.length() > finest_increment * unit || path.meets_jump()) return true;
+  const bool goes_by_length = off_rate_ < by_length * before && before < by_length * off_rate_;
+  return strict_ && path.length() > strict_increment * unit && !goes_by_length;
 }
 
 bool LoadSteps::is_shortest(const LoadPath& path) const { return path.length() <= least_increment * path.whole() * (1 + 1e-9) && !path.meets_jump(); }
@@ -221,12 +233,12 @@ bool LoadSteps::book(const IncrementBooking& booking, const LoadPath& path, bool
   book(booking.loads, booking.first);
   booking.bridges.book(model_, ledger_);
   const double off = booking.closure.work(model_, ledger_.friction_work - ledger.friction_work);
-  const bool bent = std::abs(off) > bend_allowed(ledger, ledger_);
-  if (!jumped && bent && may_quarter(path) && !is_shortest(path)) {
+  const bool is_bent = bent(off, ledger);
+  if (!jumped && is_bent && may_quarter(path, off) && !is_shortest(path)) {
     ledger_ = ledger;
     return false;
   }
-  if (jumped || (bent && off > 0))
+  if (jumped || (is_bent && off > 0))
     ledger_.fracture_work += off;
   else if (path.length() > 0)
     pace_ = raised / path.length();

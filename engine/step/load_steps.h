@@ -42,7 +42,8 @@ class LoadSteps {
   void book(const LoadStepBooking& booking, bool first);
   bool book(const IncrementBooking& booking, const LoadPath& path, bool jumped, double raised);
   void cut(LoadPath& path, double part);
-  bool may_quarter(const LoadPath& path) const;
+  bool bent(double off, const Ledger& before);
+  bool may_quarter(const LoadPath& path, double off);
   bool is_shortest(const LoadPath& path) const;
   StepReport collapse(const EquilibriumSearch& search);
 
@@ -53,6 +54,8 @@ class LoadSteps {
   Ledger& ledger_;
   Equilibrium equilibrium_;
   std::string collapse_;
+  bool strict_ = false;       // the last increment left the ledger farther off than it may be
+  double off_rate_ = 0;       // J/m per length of the last that was too much off
   int short_increments_ = 0;  // of load, one after the other
   double pace_ = 0;           // 1/s, or in a jump of loads over all of it, at which utilisations came up with the last of them
 };

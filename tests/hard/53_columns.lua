@@ -1,13 +1,14 @@
 -- Own case 53: a block drawn to and fro over a row of separate elastic columns, which give way under it one by one. Each hands its corners over to
 -- the next, which is not pressed yet and stands higher. That height was an offset of the contact for good: the block sank by a fifth of the columns' compression at each joint, and in the end a corner
 -- caught on a column's side: at 1 GPa it jumped by 0.8 mm in the first pass, a quarter of the work put in was gone, friction was 1 % off.
+-- Under loads that compress the columns by 1e-4 to 2e-3 of their size each was a ledge on which the block caught: lifted by twice the compression, friction 2 to 4 % off.
 -- Bounds: friction is μN, and the path's height within what the columns give way to (between a block on four of them and one on five, and the pitch of its shear): a third of
 -- the compression σh/E. Unexplained at most 1 %, in motion 0.1 %. Fast ones, a tenth and a third of their length a step, come to the speed that μ g leaves; their steps are cut no more than 5 %. (9 s CPU)
 local talus = require "talus"
 local check = talus.check
 local g, density, mu, width, long = 9.81, 2500, 0.3, 0.25, 1
 
-local function scene(young, depth, friction, shift, time, drive)
+local function scene(young, depth, friction, shift, time, drive, pressure)
   local rock = talus.material { name = "rock", density = density, young = young, poisson = 0.2 }
   local columns = {}
   for k = 0, 23 do columns[k + 1] = talus.rect(shift - 3 + k*width, -depth, shift - 3 + (k + 1)*width, 0) end
@@ -15,6 +16,7 @@ local function scene(young, depth, friction, shift, time, drive)
     gravity = {0, -g}, contact = talus.joint { name = "seat", friction = math.atan(friction) },
     regions = { talus.region { name = "floor", blocks = columns, material = rock },
                 talus.region { name = "sled", outline = talus.rect(shift - 2.5, 0, shift - 1.5, 0.5*long), material = rock } },
+    loads = { pressure and talus.edge_load { region = "sled", on = "top", traction = {0, -pressure} } },
     fix = { talus.fix { region = "floor", on = "bottom" }, talus.fix(drive) }, time = time,
   }
 end
@@ -32,16 +34,19 @@ local function follow(sim)
   return seen
 end
 
-for _, case in ipairs { {1e10, 1, mu, 0}, {1e9, 1, mu, 0}, {1e9, 4, mu, 0}, {1e10, 1, 0, 0}, {1e10, 1, mu, 1e4} } do
-  local young, depth, friction, shift = table.unpack(case)
+for _, case in ipairs { {1e10, 1, mu, 0}, {1e9, 1, mu, 0}, {1e9, 4, mu, 0}, {1e10, 1, 0, 0}, {1e10, 1, mu, 1e4},
+                        {1e9, 1, mu, 0, 5e4}, {1e10, 1, mu, 0, 1e6}, {1e9, 1, mu, 0, 1e6} } do
+  local young, depth, friction, shift, pressure = table.unpack(case)
+  local bears = density*g*0.5*long + (pressure or 0)
   local passes, way = 4, 3.5
   local sim = scene(young, depth, friction, shift, { mode = "dynamic", t_end = passes, dt = 1e-3, start = "settled" },
-    { region = "sled", on = "left", x = true, velocity = { function(t) return way/2*math.pi*math.sin(math.pi*t) end, 0 } })
+    { region = "sled", on = "left", x = true, velocity = { function(t) return way/2*math.pi*math.sin(math.pi*t) end, 0 } }, pressure)
   local seen = follow(sim)
-  local compression = density*g*0.5*long*depth/young
-  local label = string.format("drawn over columns of %g GPa, %g m high, friction %g%s: ", young/1e9, depth, friction, shift > 0 and ", 10 km off" or "")
+  local compression = bears*depth/young
+  local label = string.format("drawn over columns of %g GPa, %g m high, friction %g%s%s: ", young/1e9, depth, friction,
+    pressure and string.format(", under %g kPa", pressure/1e3) or "", shift > 0 and ", 10 km off" or "")
   if friction > 0 then
-    check.near(label .. "work of friction, of the weight's", sim.energy.friction/(friction*density*g*0.5*long^2*seen.way), 1, { rel = 1e-4 })
+    check.near(label .. "work of friction, of the weight's", sim.energy.friction/(friction*bears*long*seen.way), 1, { rel = math.max(1e-4, compression) })
   end
   check.below(label .. "highest, of the columns' compression", seen.high/compression, 0.35)
   check.below(label .. "deepest, of it", -seen.low/compression, 0.35)
@@ -49,12 +54,13 @@ for _, case in ipairs { {1e10, 1, mu, 0}, {1e9, 1, mu, 0}, {1e9, 4, mu, 0}, {1e1
   check.equal(label .. "cuts", sim.totals.cuts, 0)
 end
 
-for _, young in ipairs { 1e10, 1e9 } do
+for _, case in ipairs { {1e10}, {1e9}, {1e9, 5e4}, {1e9, 1e6} } do
+  local young, pressure = table.unpack(case)
   local sim = scene(young, 1, mu, 0, { mode = "static", t_end = 3, steps = 200 },
-    { region = "sled", on = "left", x = true, displacement = { {{0, 0}, {0.02, 0}, {1, 2}, {2, 0}, {3, 2}}, 0 } })
+    { region = "sled", on = "left", x = true, displacement = { {{0, 0}, {0.02, 0}, {1, 2}, {2, 0}, {3, 2}}, 0 } }, pressure)
   local seen = follow(sim)
-  local compression = density*g*0.5*long/young
-  local label = string.format("drawn over columns of %g GPa, static: ", young/1e9)
+  local compression = (density*g*0.5*long + (pressure or 0))/young
+  local label = string.format("drawn over columns of %g GPa%s, static: ", young/1e9, pressure and string.format(", under %g kPa", pressure/1e3) or "")
   check.below(label .. "highest, of the columns' compression", seen.high/compression, 0.35)
   check.below(label .. "deepest, of it", -seen.low/compression, 0.35)
   check.below(label .. "unexplained, largest, of the scale", seen.unexplained, 0.01)
