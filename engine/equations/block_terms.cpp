@@ -129,7 +129,7 @@ double mean_spin(const Model& model, int block, const Pose& pose) {
 
 Vec2 body_force(const Model& model, int region, double density, double t) {
   const auto& own = model.scene.regions[region].body_force;
-  return density * model.scene.gravity + Vec2(model.load(own[0], t), model.load(own[1], t));
+  return density * model.gravity() + Vec2(model.load(own[0], t), model.load(own[1], t));
 }
 
 void add_hold(const Model& model, const std::vector<double>& hold, const Vector& lead, System& system) {
@@ -164,7 +164,7 @@ void add_block_terms(const Model& model, const Poses& poses, const Scheme& schem
       const MatrixOf<n> mass = mass_matrix_of<n>(model, b);
       MatrixOf<n> k = scheme.inertia * mass;
       ColumnOf<n> f = ColumnOf<n>::Zero();
-      f.template head<2>() = model.mass(b) * model.scene.gravity + shape.area * own_force[shape.region];
+      f.template head<2>() = model.mass(b) * model.gravity() + shape.area * own_force[shape.region];
       if (shape.dofs > rigid_dofs) {
         const Mat3& d = elasticity_of[shape.material];
         const double per_length = 1 / shape.length;

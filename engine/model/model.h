@@ -299,6 +299,7 @@ struct ProbePoint {
 };
 
 struct LoadWay {  // in a part of a load step: loads and supports are on the way to those of Model::time
+  static constexpr double nothing = -1;  // s: there were none, and no gravity
   double from = 0, part = 1;  // s, when they were those they come from; how far they have come
 };
 
@@ -373,11 +374,12 @@ class Model {
   int next_vertex(int block, int local) const { return local + 1 == vertex_count(block) ? 0 : local + 1; }
   // Of a load, and m of a fixity, at the time t.
   double load(const History& history, double t) const {
-    return on_the_way(t, [&](double at) { return history.at(at); });
+    return on_the_way(t, [&](double at) { return at == LoadWay::nothing ? 0 : history.at(at); });
   }
   Vec2 moved(const Fixity& fixity, double t) const {
-    return on_the_way(t, [&](double at) { return fixity.moved(at); });
+    return on_the_way(t, [&](double at) { return fixity.moved(std::max(at, 0.0)); });
   }
+  Vec2 gravity() const { return (load_way.from == LoadWay::nothing ? load_way.part : 1) * scene.gravity; }  // m/s2
   const Material& material(int block) const { return scene.materials[shapes[block].material]; }
 
   bool sleeps(int block) const { return !asleep.empty() && asleep[block] != 0; }

@@ -236,6 +236,7 @@ double slides_against(const Model& model, const Contact& c) {
 LoadStepBooking::LoadStepBooking(const Model& model, const Supports& supports, double time, bool unloaded)
     : unloaded_(unloaded),
       forces_(forces(model, unloaded ? model.time : time)),  // unloaded: for their places alone
+      gravity_(unloaded ? Vec2::Zero() : model.gravity()),
       reactions_(support_reactions(model, supports, time)) {
   for (const BlockState& state : model.blocks) centroids_.push_back(state.centroid);
   for (const Fixity& fixity : model.scene.fixities) moved_.push_back(model.moved(fixity, time));
@@ -246,10 +247,9 @@ void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledge
   const double earlier = unloaded_ ? 0 : 1;
   for (size_t k = 0; k < now.size(); ++k)
     ledger.external_work += (earlier * forces_[k].force + now[k].force).dot(now[k].place - forces_[k].place) / 2;
+  const Vec2 mean_gravity = (gravity_ + model.gravity()) / 2;
   for (size_t b = 0; b < centroids_.size(); ++b)
-    if (model.shapes[b].dofs > 0)
-      ledger.gravity_work += (earlier + 1) / 2 * model.mass(int(b)) *
-                             model.scene.gravity.dot(model.blocks[b].centroid - centroids_[b]);
+    if (model.shapes[b].dofs > 0) ledger.gravity_work += model.mass(int(b)) * mean_gravity.dot(model.blocks[b].centroid - centroids_[b]);
   const std::vector<Vec2> reaction = support_reactions(model, supports, model.time);
   for (size_t f = 0; f < reaction.size(); ++f) {
     const Vec2 moved = model.moved(model.scene.fixities[f], model.time) - moved_[f];

@@ -121,6 +121,7 @@ class LoadStepBooking {
   static std::vector<Force> forces(const Model& model, double time);
   bool unloaded_;
   std::vector<Force> forces_;
+  Vec2 gravity_;  // m/s2
   std::vector<Vec2> centroids_, reactions_, moved_;
 };
 

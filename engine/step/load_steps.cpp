@@ -36,6 +36,11 @@ double exchanged(const Ledger& before, const Ledger& now) {
          std::abs(now.gravity_work - before.gravity_work);
 }
 
+// The search has left all that there is: what bends far does where loads come at once.
+bool flown_off(const Model& model) {
+  return std::ranges::any_of(model.blocks, [&](const BlockState& block) { return !(block.shift.norm() < 100 * model.extent); });
+}
+
 class Unstressed {  // blocks without their initial stress, while this lives
  public:
   explicit Unstressed(Model& model) : model_(model), quadratic_(model.quadratic_shapes) {
@@ -85,6 +90,10 @@ StepReport LoadSteps::load(double to, bool first) {
   const bool moving = moves_supports(model_.scene);  // the script may have let one go since the plan was made
   const bool follow = plan_.contacts && loads_change(model_.scene);
   const double target = plan_.contacts && moving ? reachable(to) : to;
+  if (first && !plan_.initial_stress) {
+    model_.time = target;
+    model_.load_way = {LoadWay::nothing, 0};
+  }
   StepReport report;
   for (;;) {
     LoadPath path(model_, target);
@@ -95,24 +104,28 @@ StepReport LoadSteps::load(double to, bool first) {
   }
 }
 
-// Whether it is as straight as its booking takes it for; the model is as before where it is not.
+// Whether it is as straight as its booking takes it for; the model is as before where it is not. As loads grow from nothing that is what the ledger as a
+// whole says: blocks turn and bend by the most then.
 bool LoadSteps::load_part(const LoadPath& path, bool follow, bool first, StepReport& report) {
+  const bool grows = path.from() == LoadWay::nothing;
   std::optional<Restored> attempt;
   std::optional<Closure> closure;
-  if (follow) {
-    attempt.emplace(model_);
-    closure.emplace(model_, parts_.joints, std::vector<int>{});
-  }
+  if (follow || grows) attempt.emplace(model_);
+  if (follow && !grows) closure.emplace(model_, parts_.joints, std::vector<int>{});
+  const double rest = grows ? parts_.energies().unexplained : 0;
   path.begin();
   const LoadStepBooking booking(model_, parts_.supports, path.begins_at(), first);
   path.end();
   const Ledger before = ledger_;
   EquilibriumSearch search;
   search.in_place = !moves_supports(model_.scene);
-  if (!equilibrium_.balance(search)) equilibrium_.give_up(search);
+  if (!equilibrium_.balance(search)) {
+    if (grows && path.length() > finest_increment && (path.length() < 1 || flown_off(model_))) return false;
+    equilibrium_.give_up(search);
+  }
   book(booking, first);
-  if (follow) {
-    const double off = closure->work(model_, ledger_.friction_work - before.friction_work);
+  if (attempt) {
+    const double off = closure ? closure->work(model_, ledger_.friction_work - before.friction_work) : rest - parts_.energies().unexplained;
     if (bent(off, before) && may_quarter(path, off)) {
       ledger_ = before;
       return false;
@@ -135,6 +148,7 @@ bool LoadSteps::bent(double off, const Ledger& before) {
 bool LoadSteps::may_quarter(const LoadPath& path, double off) {
   const double unit = path.jumps() ? 1 : model_.scene.time.t_end / model_.scene.time.steps;
   const double before = std::exchange(off_rate_, off / path.length());
+  if (is_shortest(path)) return false;
   if (path.length() > finest_increment * unit || path.meets_jump()) return true;
   const bool goes_by_length = off_rate_ < by_length * before && before < by_length * off_rate_;
   return strict_ && path.length() > strict_increment * unit && !goes_by_length;
@@ -234,7 +248,7 @@ bool LoadSteps::book(const IncrementBooking& booking, const LoadPath& path, bool
   booking.bridges.book(model_, ledger_);
   const double off = booking.closure.work(model_, ledger_.friction_work - ledger.friction_work);
   const bool is_bent = bent(off, ledger);
-  if (!jumped && is_bent && may_quarter(path, off) && !is_shortest(path)) {
+  if (!jumped && is_bent && may_quarter(path, off)) {
     ledger_ = ledger;
     return false;
   }
