@@ -38,7 +38,8 @@ void carry(const Contact& from, Contact& to) {
   to.parts = from.parts;
   to.lifted = from.lifted;
   to.parting = from.parting;
-  to.load_friction = from.load_friction;
+  to.load_normal = from.load_normal;
+  to.load_shear = from.load_shear;
   to.load_slip = from.load_slip;
   to.coheres = from.coheres;
 }
@@ -107,9 +108,8 @@ double born_with(const Model& model, const Contact& c, double dt, bool cracked) 
 void take_over(const Model& model, Contact& c) {
   const BondTraction bond = mean_traction(model.joints[c.joint]), t = taken_over(bond, model.contact_strength(c));
   if (t.normal >= 0) return;
-  c.normal_force = -t.normal * c.length;
-  c.shear_force = t.shear * c.length;
-  c.load_friction = std::abs(c.shear_force);
+  c.normal_force = c.load_normal = -t.normal * c.length;
+  c.shear_force = c.load_shear = t.shear * c.length;
   c.stretch = c.shear_force / c.shear_stiffness;
   c.offset = -c.gap - c.normal_force / c.normal_stiffness;
   c.state = t.shear == bond.shear ? ContactState::stick : ContactState::slip;
@@ -182,7 +182,7 @@ double carry_over(const Model& model, double dt, bool cracked, std::vector<Conta
       c->height = std::clamp(c->height + c->offset - pressed, 0.0, std::max(0.0, c->offset));
       c->deeper = deeper + old->offset - c->offset;
       c->offset += old->normal_force / old->normal_stiffness - old->normal_force / c->normal_stiffness;
-      c->load_friction = std::numeric_limits<double>::quiet_NaN();
+      c->load_normal = std::numeric_limits<double>::quiet_NaN();
       stored -= c->stored();
     } else {
       c->offset = born_with(model, *c, dt, cracked);

@@ -64,9 +64,9 @@ void vertices_on_edges(const NearPair& pair, const Model& model, int bv, int be,
       }
       const bool on = pair.within(be, e, s, edge.length) ||
                       (gap < 0 && pair.within(be, e, s, edge.length, pair.slack(edge.length, -gap)) && pair.loaded_before(bv, v, be, e));
-      if (!on && (std::abs(gap) > pair.flush() || !pair.within(be, e, s, edge.length, pair.meeting()))) continue;
+      if (!on && (!pair.flush(edge.normal, gap) || !pair.within(be, e, s, edge.length, pair.meeting()))) continue;
       if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) continue;
-      if (gap > -pair.flush() && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
+      if ((gap > 0 || pair.flush(edge.normal, gap)) && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
       if (pair.can_rest(bv, v, edge.normal) || (gap > 0 && pair.will_rest(bv, v, edge.normal))) candidates.push_back({e, gap, on});
     }
     drop_deeper(pair, be, candidates);
@@ -122,6 +122,8 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
   for (size_t c = first; c < found.size(); ++c)
     if (is_here(found[c]) && found[c].kind == ContactKind::edge_edge) return;
   std::vector<Choice> choices;
+  // Keeps above the face, and farther than what passes flush with it.
+  const auto clear = [&](const Face& face, double gap, double ahead) { return std::min(gap, ahead) > 0 && !pair.flush(face.normal, std::min(gap, ahead)); };
   // `end`: of the edge, at which the corners are to meet.
   const auto consider = [&](int bv, int vertex, int be, int e, End end) {
     if (!pair.free(be, e)) return;
@@ -130,7 +132,7 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
     const Vec2 p = pair.vertex(bv, vertex), way = pair.way(bv, vertex, be);
     const double gap = edge.gap(p), ahead = gap + edge.normal.dot(way), s = edge.position(p);
     if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) return;
-    if (gap > -pair.flush() && pair.passes_flush(bv, vertex, be, e, s, edge.length)) return;
+    if (!clear(edge, gap, ahead) && (gap > 0 || pair.flush(edge.normal, gap)) && pair.passes_flush(bv, vertex, be, e, s, edge.length)) return;
     // Where it comes to the line there is no edge: nothing is met there, and nothing kept apart. Beyond the other end that is for
     // the corner there to say.
     const double met = place_met(edge, gap, s, way), past = end == End::first ? -met : met - edge.length;
@@ -148,7 +150,9 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
   found.erase(std::remove_if(found.begin() + long(first), found.end(), is_here), found.end());
   if (choices.empty()) return;
   const auto flush = [&](const Choice& c) { return pair.slides_on(c.block_v, c.vertex, c.block_e, c.edge); };
-  if (std::any_of(choices.begin(), choices.end(), flush)) {
+  // Flush with a side that ends before the corner comes by, as it goes off a step down past it, is not what keeps it apart.
+  const auto parts = [&](const Choice& c) { return !flush(c) && clear(pair.edge(c.block_e, c.edge), c.gap, c.ahead); };
+  if (std::any_of(choices.begin(), choices.end(), flush) && std::none_of(choices.begin(), choices.end(), parts)) {
     std::erase_if(choices, [&](const Choice& c) { return !flush(c); });
     // Flush with two faces: blocks that meet in one point across a crossing of joints. They press once one has moved.
     const Vec2 along = pair.edge(choices[0].block_e, choices[0].edge).along;

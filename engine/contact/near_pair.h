@@ -39,7 +39,6 @@ class NearPair {
         dt_(dt),
         judged_(dt + judged_ahead(model.scene.numerics, dt)),
         least_(std::min(model.shapes[i].length, model.shapes[j].length)),
-        flush_(flush_distance(model, i, j)),
         way_(way),
         reach_(search_margin * least_ + way),
         fast_(way > beside()),
@@ -107,7 +106,11 @@ class NearPair {
   double deepest() const { return -0.25 * least_; }
   double least() const { return least_; }
   double meeting() const { return meeting_part * least_; }
-  double flush() const { return flush_; }
+  // Whether what is this far from a line of that normal, above or below, lies in it.
+  bool flush(const Vec2& normal, double gap) const {
+    const double far = std::abs(gap), certain = flush_part * least_;
+    return far <= certain || (far <= certain + passing_tolerance * least_ && far <= flush_distance(model_, i_, j_, normal));
+  }
   double noise(int v) const { return 32 * std::numeric_limits<double>::epsilon() * model_.size_of(vertex(i_, v)); }
   double beside() const { return beside_part * least_; }
   bool fast() const { return fast_; }
@@ -122,7 +125,7 @@ class NearPair {
     const Vec2 p = vertex(bv, v);
     const Vec2 way = (model_.velocity_at(bv, p) - model_.velocity_at(be, p)) * dt_;
     const double approach = std::abs(face.normal.dot(way)), slide = std::abs(face.along.dot(way));
-    if (std::abs(face.gap(p)) > flush() || approach > std::max(flush(), grazing_slope * slide)) return false;
+    if (approach > std::max(flush_part * least_, grazing_slope * slide) || !flush(face.normal, face.gap(p))) return false;
     if (!can_rest(bv, v, face.normal)) return false;
     return lies_along(ahead(bv, v), face.normal) || lies_along(behind(bv, v), face.normal);
   }
@@ -133,8 +136,8 @@ class NearPair {
     const auto on = [&](const OutlineEdge& beyond) {  // at the end of a crack that is the block's own side, or one that it is bonded to
       return free(beyond) && beyond.block != bv && !together(bv, beyond.block) && slides_on(bv, v, beyond.block, beyond.edge);
     };
-    return (s <= flush() && on(arriving(be, e)) && outer(be, e)) ||
-           (s >= length - flush() && on(leaving(be, next(be, e))) && outer(be, next(be, e)));
+    const auto ends = [&](double before_end) { return before_end <= 0 || flush(edge(be, e).along, before_end); };
+    return (ends(s) && on(arriving(be, e)) && outer(be, e)) || (ends(length - s) && on(leaving(be, next(be, e))) && outer(be, next(be, e)));
   }
 
   static bool looks_away(const Face& far, const Face& face) { return far.normal.dot(face.normal) < -0.9; }
@@ -249,7 +252,7 @@ class NearPair {
   const Outline outline_;
   const Faces& faces_;
   int i_, j_;
-  double dt_, judged_, least_, flush_, way_, reach_;  // s, s, m, m, m, m; judged_: from the start to the places that contacts are judged at
+  double dt_, judged_, least_, way_, reach_;  // s, s, m, m, m; judged_: from the start to the places that contacts are judged at
   bool fast_;                           // may pass an edge by in the step
   double turn_;                         // rad, of i as seen from j until contacts are judged
 };

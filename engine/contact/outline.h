@@ -11,9 +11,9 @@ constexpr double parallel_sine = 0.052;
 // A corner that stays this near to the plane of a face, in units of the smaller block's √area, with an edge along the
 // face, slides on it and does not catch on the face round its end: coplanar blocks pass their load on without a snag.
 constexpr double flush_part = 1e-4;
-// m, likewise of two blocks: also what they give way to under the stress of either, up to passing_tolerance of the smaller's √area. A column that bears
-// a load lies lower than the next that does not yet, and is no ledge.
-double flush_distance(const Model& model, int a, int b);
+// m, likewise of two blocks at a face of this normal: also what they give way to along it under the stress of either, up to passing_tolerance of the
+// smaller's √area. A column that bears a load lies lower than the next that does not yet, and is no ledge.
+double flush_distance(const Model& model, int a, int b, const Vec2& normal);
 // An outline that turns inwards by so little that what goes by lies under the face beyond by less than this part of the smaller block's √area counts as
 // straight: what lies on it is pressed in by as much.
 constexpr double level_part = 1e-5;

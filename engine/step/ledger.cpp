@@ -224,11 +224,12 @@ void BridgeBooking::book(const Model& model, double taken, Ledger& ledger) const
 
 namespace {
 
-// N, of a contact as it would begin to slide from where it is.
-double slides_against(const Model& model, const Contact& c) {
-  if (c.state != ContactState::stick) return std::abs(c.shear_force);
+// N, against which a contact that has slid in a load step that drives it began to: its shear force before where its limit came down to that, else the limit. `limit`: now.
+double began_against(const Model& model, const Contact& c, double limit) {
+  if (std::isnan(c.load_normal)) return limit;
   const Strength strength = model.contact_strength(c);
-  return std::tan(strength.friction) * c.normal_force + strength.cohesion * c.length;
+  const double before = c.load_normal > 0 ? std::tan(strength.friction) * c.load_normal + strength.cohesion * c.length : 0;
+  return std::max(std::abs(c.load_shear), std::min(before, limit));
 }
 
 }  // namespace
@@ -251,14 +252,20 @@ void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledge
   for (size_t b = 0; b < centroids_.size(); ++b)
     if (model.shapes[b].dofs > 0) ledger.gravity_work += model.mass(int(b)) * mean_gravity.dot(model.blocks[b].centroid - centroids_[b]);
   const std::vector<Vec2> reaction = support_reactions(model, supports, model.time);
+  bool driven = false;
+  for (size_t k = 0; k < now.size(); ++k) driven |= now[k].force != forces_[k].force;
   for (size_t f = 0; f < reaction.size(); ++f) {
     const Vec2 moved = model.moved(model.scene.fixities[f], model.time) - moved_[f];
+    driven |= moved != Vec2::Zero();
     ledger.boundary_work += (reactions_[f] + reaction[f]).dot(moved) / 2;
   }
   for (Contact& c : model.contacts) {
-    const double after = std::abs(c.shear_force), before = unloaded_ ? 0 : std::isnan(c.load_friction) ? after : c.load_friction;
-    if (c.state != ContactState::open) ledger.friction_work += (before + after) / 2 * std::abs(c.slip - c.load_slip);
-    c.load_friction = slides_against(model, c);
+    if (c.state != ContactState::open && c.slip != c.load_slip) {
+      const double limit = std::abs(c.shear_force), before = unloaded_ ? 0 : driven ? began_against(model, c, limit) : std::isnan(c.load_shear) ? limit : std::abs(c.load_shear);
+      ledger.friction_work += (before + limit) / 2 * std::abs(c.slip - c.load_slip);
+    }
+    c.load_normal = c.normal_force;
+    c.load_shear = c.shear_force;
     c.load_slip = c.slip;
   }
   keep_largest(ledger);
