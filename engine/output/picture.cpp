@@ -18,6 +18,10 @@ constexpr double wide_frame = 2.2;   // width / height from which the bar lies b
 
 struct Box {
   Vec2 low = Vec2::Constant(INFINITY), high = Vec2::Constant(-INFINITY);
+  bool contains(const Vec2& p) const {
+    const double rounding = 1e-6 * (high - low).maxCoeff();
+    return (p - low).minCoeff() >= -rounding && (high - p).minCoeff() >= -rounding;
+  }
 };
 
 // All blocks, but not farther out than the scene is large: one flying chip must not shrink all the rest.
@@ -83,6 +87,7 @@ Layout lay_out(const Scenery& scenery) {
     const double right = field.categories ? 24 : bar.upright ? 22 + bar_margin(bar) + 14 : 24;
     frame.left = left_margin(frame.y, frame.height, false, out.metre) + 8;
     if (scenery.arrows) out.arrows = scenery.arrows(out.px_per_metre);
+    std::erase_if(out.arrows, [&](const Arrow& arrow) { return !box.contains(arrow.at); });  // on what has flown out of the picture
     const auto beyond = arrow_room(out.arrows, box, out.px_per_metre);
     const Vec2 rooms(beyond[0] + beyond[1], beyond[2] + beyond[3]);
     out.px_per_metre =

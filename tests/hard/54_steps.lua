@@ -1,5 +1,5 @@
 -- Own case 54: a block drawn over steps between the blocks of a floor. Off a step down the corner that leaves goes along the side of the lower block, whose end it is above: that side held it as a wall
--- where it came past by less than 1e-4 of its size in a step, with 1e4 times the friction. Down it must pass under μN alone, drawn slowly or fast, loaded or not.
+-- where it came past by less than 1e-4 of its size in a step, with 1e4 times the friction. Down it must pass under μN alone, drawn slowly or fast, loaded or not, in motion and in load steps.
 -- Up, a step higher than what blocks give way to under the stress across it must stop the block: pushed by 0.6 of its weight it stays, by a face that it is not in.
 -- Bounds: force of the drive after its start 1.06 μN, under a load 1.3 (the floor shears under the block and lets go); the way to the step and the height of the block to 1e-4 m.
 local talus = require "talus"
@@ -42,4 +42,14 @@ for _, case in ipairs { { young = 5e10, step = 2e-4, high = 0.5 }, { young = 5e1
   check.near(label .. "way to it, m", sled.ux, 0.3, { abs = 1e-4 })
   check.below(label .. "lifted, m", math.abs(sled.uy), 1e-4)
   check.below(label .. "unexplained", math.abs(sim.energy.unexplained)/sim.energy.scale, 1e-3)
+end
+
+for _, case in ipairs { { young = 5e10, step = -8e-3, high = 1 }, { young = 5e9, step = -8e-3, high = 1, pressure = 1e6 } } do
+  local sim = scene(case, talus.fix { name = "jack", region = "sled", on = "left", x = true, displacement = { {{0, 0}, {0.05, 0}, {1, 0.5}}, 0 } }, {},
+    { mode = "static", t_end = 1, steps = 100 })
+  local most = 0
+  for _ in sim:steps() do most = math.max(most, math.abs(sim.reactions.jack[1])) end
+  local label = string.format("drawn off a step of 8 mm, %g GPa%s, static: ", case.young/1e9, case.pressure and ", under 1 MPa" or "")
+  check.below(label .. "force of the drive, of the friction", most/(mu*(density*g + (case.pressure or 0))), 1.01)
+  check.below(label .. "unexplained", math.abs(sim.energy.unexplained)/sim.energy.scale, 0.01)
 end

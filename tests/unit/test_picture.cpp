@@ -236,6 +236,20 @@ TEST(Picture, FlyingChipDoesNotShrinkTheRest) {
   EXPECT_FALSE(has(picture(model), "nan"));
 }
 
+TEST(Picture, LoadOnWhatHasFlownOffTakesNoRoom) {  // far enough, it left the frame a negative height
+  Model model = two_squares();
+  PointLoad load;
+  load.force = {History(0), History(-5000)};
+  model.scene.point_loads = {load};
+  model.point_forces = {{.load = 0, .block = 0, .in_block = {0.5, 0.5}, .share = 1}};
+  EXPECT_TRUE(has(picture(model), "kN"));
+  model.blocks[0].centroid += Vec2(1e5, 1e5);
+  model.place_vertices();
+  const std::string svg = picture(model);
+  EXPECT_FALSE(has(svg, "kN"));
+  EXPECT_FALSE(has(svg, "height=\"-"));
+}
+
 TEST(Picture, UnknownFieldIsAnsweredWithTheNearest) {
   const Model model = two_squares();
   EXPECT_TRUE(has(refusal(model, "s1_smoth"), "did you mean \"s1_smooth\"")) << refusal(model, "s1_smoth");
