@@ -68,7 +68,8 @@ double kinetic_energy(const Model& model, int b, double ahead) {
 
 double strain_energy(const Model& model, const JointTerms& joints, const Supports& supports, double ahead) {
   double sum = strain_of_blocks(model, false, ahead) + model.added_strain_energy;
-  for (const Joint& joint : model.joints) sum += bridge_energy(joint);
+  for (const Joint& joint : model.joints)
+    if (joint.bridged) sum += bridge_energy(joint);
   return sum + (model.joints.empty() ? 0 : joints.energy(model, ahead)) + supports.energy(model, ahead);
 }
 

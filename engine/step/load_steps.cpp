@@ -125,8 +125,9 @@ bool LoadSteps::load_part(const LoadPath& path, bool follow, bool first, StepRep
   }
   book(booking, first);
   if (attempt) {
-    const double off = closure ? closure->work(model_, ledger_.friction_work - before.friction_work) : rest - parts_.energies().unexplained;
-    if (bent(off, before) && may_quarter(path, off)) {
+    const double after = parts_.energies().unexplained;
+    const double off = closure ? closure->work(model_, ledger_.friction_work - before.friction_work) : rest - after;
+    if (bent(off, after, before) && may_quarter(path, off)) {
       ledger_ = before;
       return false;
     }
@@ -138,9 +139,8 @@ bool LoadSteps::load_part(const LoadPath& path, bool follow, bool first, StepRep
   return true;
 }
 
-// Whether what contacts leave of the energy exchanged since `before`, J/m, is too much.
-bool LoadSteps::bent(double off, const Ledger& before) {
-  const double rest = parts_.energies().unexplained;  // less `off`, which is what is missing
+// Whether what is missing of the energy exchanged since `before` is too much. `off`, `rest`: J/m, given off since, and unexplained by the ledger as a whole.
+bool LoadSteps::bent(double off, double rest, const Ledger& before) {
   strict_ = std::abs(rest) > most_off * ledger_.scale() && rest * off < 0;
   return std::abs(off) > std::max((strict_ ? strict_bend : most_bend) * exchanged(before, ledger_), least_bend * ledger_.scale());
 }
@@ -247,7 +247,7 @@ bool LoadSteps::book(const IncrementBooking& booking, const LoadPath& path, bool
   book(booking.loads, booking.first);
   booking.bridges.book(model_, ledger_);
   const double off = booking.closure.work(model_, ledger_.friction_work - ledger.friction_work);
-  const bool is_bent = bent(off, ledger);
+  const bool is_bent = bent(off, parts_.energies().unexplained, ledger);
   if (!jumped && is_bent && may_quarter(path, off)) {
     ledger_ = ledger;
     return false;

@@ -42,7 +42,7 @@ class LoadSteps {
   void book(const LoadStepBooking& booking, bool first);
   bool book(const IncrementBooking& booking, const LoadPath& path, bool jumped, double raised);
   void cut(LoadPath& path, double part);
-  bool bent(double off, const Ledger& before);
+  bool bent(double off, double rest, const Ledger& before);
   bool may_quarter(const LoadPath& path, double off);
   bool is_shortest(const LoadPath& path) const;
   StepReport collapse(const EquilibriumSearch& search);
