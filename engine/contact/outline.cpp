@@ -10,9 +10,11 @@ namespace {
 
 bool strains(const BlockShape& shape) { return shape.dofs > rigid_dofs; }
 
-double normal_stress(const Model& model, int block, const Vec2& n) {  // Pa
+// Pa, of its strain: as they are given, blocks under an initial stress lie flush.
+double normal_stress(const Model& model, int block, const Vec2& n) {
   if (!strains(model.shapes[size_t(block)])) return 0;
-  const Vec3 s = model.stress(block);
+  const BlockState& state = model.blocks[size_t(block)];
+  const Vec3 s = turn_stress(Rotation::of(state.angle), elasticity(model.material(block)) * state.strain);
   return std::abs(n.x() * n.x() * s[0] + n.y() * n.y() * s[1] + 2 * n.x() * n.y() * s[2]);
 }
 
