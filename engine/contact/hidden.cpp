@@ -19,7 +19,8 @@ class Hiding {
   // Whether the corner is inside two sides of a body that share a convex corner, but belong to different blocks, and less deep in the other: it rests on the
   // one it entered last. By so much that both blocks, whose corners lie a bond's strain apart, would say so.
   bool deeper_than_beside(const Contact& c) const {
-    const double flush = flush_of(c);
+    // Not by what blocks give way to: a wall that is none would be the harder to see the more it presses.
+    const double flush = flush_part * std::min(model_.shapes[size_t(c.i)].length, model_.shapes[size_t(c.j)].length);
     if (c.gap >= -flush) return false;
     const int last = outline_.last({c.j, c.edge});
     const auto beside = [&](const Contact& other) {
@@ -35,7 +36,7 @@ class Hiding {
   bool under_a_face(const Contact& c) const {
     const Vec2 &at = outline_.place(c.global_vertex), &from = outline_.place(c.global_edge), along = outline_.place(outline_.last({c.j, c.edge})) - from;
     const Vec2 rate = model_.velocity_at(c.i, at) - model_.velocity_at(c.j, at);
-    const double length = along.norm(), flush = flush_of(c), closing = cross(along, rate) / length;  // m/s
+    const double length = along.norm(), flush = flush_distance(model_, c.i, c.j, along / length), closing = cross(along, rate) / length;  // m/s
     const double s = along.dot(at - from) / length + (c.gap > 0 && closing > 0 ? along.dot(rate) / length * c.gap / closing : 0);  // where it comes to the edge's line
     if (s > flush && s < length - flush) return false;
     const int end = s <= flush ? c.global_edge : outline_.last({c.j, c.edge});
@@ -56,8 +57,6 @@ class Hiding {
   }
 
  private:
-  // Not by what blocks give way to: a wall that is none would be the harder to see the more it presses.
-  double flush_of(const Contact& c) const { return flush_part * std::min(model_.shapes[size_t(c.i)].length, model_.shapes[size_t(c.j)].length); }
   template <typename Is>
   bool any_of_corner(int corner, Is is) const {
     auto c = std::lower_bound(found_.begin(), found_.end(), corner, [](const Contact& of, int vertex) { return of.global_vertex < vertex; });
