@@ -29,6 +29,8 @@ class LoadPath {  // a part of a load step
   bool ends_jump() const { return jumps_ && go_ == 1; }
 
   void stop_at(double length);  // ends there, if it does not before
+  double off_rate = 0;  // J/m that its last attempt left over its length
+
   // Takes `part` of the way, but at least `least` of the whole; to where loads begin to jump, if they do on it.
   void cut(double part, double least);
 

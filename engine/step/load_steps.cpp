@@ -106,7 +106,7 @@ StepReport LoadSteps::load(double to, bool first) {
 
 // Whether it is as straight as its booking takes it for; the model is as before where it is not. As loads grow from nothing that is what the ledger as a
 // whole says: blocks turn and bend by the most then.
-bool LoadSteps::load_part(const LoadPath& path, bool follow, bool first, StepReport& report) {
+bool LoadSteps::load_part(LoadPath& path, bool follow, bool first, StepReport& report) {
   const bool grows = path.from() == LoadWay::nothing;
   std::optional<Restored> attempt;
   std::optional<Closure> closure;
@@ -145,12 +145,12 @@ bool LoadSteps::bent(double off, double rest, const Ledger& before) {
   return std::abs(off) > std::max((strict_ ? strict_bend : most_bend) * exchanged(before, ledger_), least_bend * ledger_.scale());
 }
 
-bool LoadSteps::may_quarter(const LoadPath& path, double off) {
+bool LoadSteps::may_quarter(LoadPath& path, double off) const {
   const double unit = path.jumps() ? 1 : model_.scene.time.t_end / model_.scene.time.steps;
-  const double before = std::exchange(off_rate_, off / path.length());
+  const double now = off / path.length(), before = std::exchange(path.off_rate, now);
   if (is_shortest(path)) return false;
   if (path.length() > finest_increment * unit || path.meets_jump()) return true;
-  const bool goes_by_length = off_rate_ < by_length * before && before < by_length * off_rate_;
+  const bool goes_by_length = now < by_length * before && before < by_length * now;
   return strict_ && path.length() > strict_increment * unit && !goes_by_length;
 }
 
@@ -242,7 +242,7 @@ StepReport LoadSteps::raise_load(double to, bool first) {
 }
 
 // `raised`: by how much utilisations have come up. False, and nothing is booked: contacts bend the increment too much for its trapezoids.
-bool LoadSteps::book(const IncrementBooking& booking, const LoadPath& path, bool jumped, double raised) {
+bool LoadSteps::book(const IncrementBooking& booking, LoadPath& path, bool jumped, double raised) {
   const Ledger ledger = ledger_;
   book(booking.loads, booking.first);
   booking.bridges.book(model_, ledger_);

@@ -33,17 +33,17 @@ class LoadSteps {
   StepReport take(double to, bool first);
   void go_on();
   StepReport load(double to, bool first);
-  bool load_part(const LoadPath& path, bool follow, bool first, StepReport& report);
+  bool load_part(LoadPath& path, bool follow, bool first, StepReport& report);
   double reachable(double to) const;
   StepReport raise_load(double to, bool first);
   double foreseen(const LoadPath& path, double utilisation) const;
   double pace(const LoadPath& path, double utilisation) const;
   StepReport break_bonds(const std::vector<int>& due);
   void book(const LoadStepBooking& booking, bool first);
-  bool book(const IncrementBooking& booking, const LoadPath& path, bool jumped, double raised);
+  bool book(const IncrementBooking& booking, LoadPath& path, bool jumped, double raised);
   void cut(LoadPath& path, double part);
   bool bent(double off, double rest, const Ledger& before);
-  bool may_quarter(const LoadPath& path, double off);
+  bool may_quarter(LoadPath& path, double off) const;
   bool is_shortest(const LoadPath& path) const;
   StepReport collapse(const EquilibriumSearch& search);
 
@@ -55,7 +55,6 @@ class LoadSteps {
   Equilibrium equilibrium_;
   std::string collapse_;
   bool strict_ = false;       // the last increment left the ledger farther off than it may be
-  double off_rate_ = 0;       // J/m per length of the last that was too much off
   int short_increments_ = 0;  // of load, one after the other
   double pace_ = 0;           // 1/s, or in a jump of loads over all of it, at which utilisations came up with the last of them
 };
