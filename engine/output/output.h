@@ -3,6 +3,7 @@
 // picture_<n>.svg, energy.svg, run.json, report.html. Files are written whole under a temporary name and renamed, so a reader never
 // sees half of one.
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -56,6 +57,7 @@ class Progress {
  private:
   bool terminal_;
   double started_, last_ = 0;
+  double first_ = std::numeric_limits<double>::quiet_NaN(), first_time_ = 0;  // wall s since it started, and s of the scene, as the first step ended
 };
 
 // Writes `content` to `path` under a temporary name, then renames. Throws RunError naming path and reason.

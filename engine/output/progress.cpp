@@ -33,13 +33,13 @@ std::string duration(double seconds) {
   return fixed(seconds / 3600, 1) + " h";
 }
 
-std::string progress_line(const StepReport& step, double t_end, double running) {
+std::string progress_line(const StepReport& step, double t_end, double left) {
   const double done = t_end > 0 ? step.time / t_end : 0;
   std::string line = "t " + significant(step.time, 4) + " s";
   if (t_end > 0) line += " (" + fixed(std::floor(100 * done), 0) + " %)";
   line += "  step " + std::to_string(step.step) + "  dt " + scientific(step.dt) + " s  it " +
           std::to_string(step.iterations) + "  contacts " + std::to_string(step.closed_contacts);
-  if (done > 0 && done < 1) line += "  ETA " + duration(running * (1 - done) / done);
+  if (left > 0) line += "  ETA " + duration(left);
   return line;
 }
 
@@ -56,13 +56,19 @@ Progress::Progress(bool terminal) : terminal_(terminal), started_(wall_seconds()
 
 void Progress::after_step(const Simulation& simulation) {
   const double running = wall_seconds() - started_;
+  if (std::isnan(first_)) {  // which holds the search for a settled start too; and a run that is resumed begins at some other time
+    first_ = running;
+    first_time_ = simulation.model.time;
+  }
   // The first line comes when the run has proved not to be a short one.
   const double due = last_ > 0   ? last_ + (terminal_ ? terminal_every : plain_every)
                      : terminal_ ? quiet
                                  : plain_every;
   if (running < due) return;
   last_ = running;
-  const std::string line = progress_line(simulation.last, simulation.model.scene.time.t_end, running);
+  const double t_end = simulation.model.scene.time.t_end, come = simulation.model.time - first_time_;
+  const double left = come > 0 ? (running - first_) / come * (t_end - simulation.model.time) : 0;
+  const std::string line = progress_line(simulation.last, t_end, left);
   std::cerr << (terminal_ ? clear_line : "") << line << (terminal_ ? "" : "\n") << std::flush;
 }
 

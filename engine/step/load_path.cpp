@@ -85,7 +85,7 @@ std::optional<LoadPath::Interval> LoadPath::next_jump() const {
 
 bool LoadPath::meets_jump() const { return next_jump().has_value(); }
 
-void LoadPath::cut(double part, double least) {
+void LoadPath::cut(double part) {
   if (const std::optional<Interval> jump = next_jump()) {
     if (jump->first > from_ + jump_time * model_.scene.time.t_end) {
       until_ = jump->first;
@@ -94,7 +94,7 @@ void LoadPath::cut(double part, double least) {
     jumps_ = true;
     until_ = jump->second;
   }
-  stop_at(std::max(part * length(), least * whole()));
+  stop_at(std::max(part * length(), least()));
 }
 
 }  // namespace talus

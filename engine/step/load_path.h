@@ -27,14 +27,18 @@ class LoadPath {  // a part of a load step
   double whole() const { return jumps_ ? 1 : model_.scene.time.t_end; }    // likewise, of the run or the jump
   bool complete(double to) const { return until_ == to && go_ == 1; }
   bool ends_jump() const { return jumps_ && go_ == 1; }
+  double least() const { return least_part * whole(); }  // likewise, of a part
+  bool is_shortest() const { return length() <= least() * (1 + 1e-9) && !meets_jump(); }
 
   void stop_at(double length);  // ends there, if it does not before
   double off_rate = 0;  // J/m that its last attempt left over its length
 
-  // Takes `part` of the way, but at least `least` of the whole; to where loads begin to jump, if they do on it.
-  void cut(double part, double least);
+  // Takes `part` of the way, but least() at least; to where loads begin to jump, if they do on it.
+  void cut(double part);
 
  private:
+  static constexpr double least_part = 1e-6;  // of t_end, or of a jump of loads
+
   std::optional<Interval> next_jump() const;
 
   Model& model_;

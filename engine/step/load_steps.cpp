@@ -8,20 +8,12 @@
 
 #include "step/closure.h"
 #include "step/restored.h"
+#include "step/trapezoid.h"
 
 namespace talus {
 
 namespace {
 
-constexpr double least_increment = 1e-6;  // part of t_end, or of a jump of loads
-// Contacts that open or begin to slide bend the curve of loads over displacements, whose trapezoids are booked: an increment that is off by
-// this part of the work put in by it is taken in quarters, down to this part of a load step. What is given off in the shortest is a jump.
-constexpr double most_bend = 0.01;
-constexpr double least_bend = 1e-6;  // part of the ledger's scale: what moves along free is not looked at so closely
-constexpr double finest_increment = 1.0 / 256;  // and of a jump of loads
-// Where the ledger as a whole comes to be off by half of what it may: a tenth of that, and finer parts, unless what is off goes by the length of the part.
-constexpr double most_off = 0.005;  // part of the ledger's scale
-constexpr double strict_bend = most_bend / 10, strict_increment = finest_increment / 256, by_length = 2;
 // Bounds of a load step, so that it ends whatever its contacts and bonds do. What stands is found in some hundreds of
 // solves, also where bonds soften near their limit.
 constexpr int most_search_solves = 1000;  // of one look for equilibrium
@@ -29,12 +21,6 @@ constexpr int most_vain_solves = 3000;    // of all those of a load step that fo
 constexpr int careful_cuts = 4;           // as interpolated; those that follow halve an increment at least
 // In a row, that neither come to the load asked for nor break a bond.
 constexpr int most_short_increments = 60;
-
-// J/m, by loads and supports, to and fro.
-double exchanged(const Ledger& before, const Ledger& now) {
-  return std::abs(now.boundary_work - before.boundary_work) + std::abs(now.external_work - before.external_work) +
-         std::abs(now.gravity_work - before.gravity_work);
-}
 
 // The search has left all that there is: what bends far does where loads come at once.
 bool flown_off(const Model& model) {
@@ -127,7 +113,7 @@ bool LoadSteps::load_part(LoadPath& path, bool follow, bool first, StepReport& r
   if (attempt) {
     const double after = parts_.energies().unexplained;
     const double off = closure ? closure->work(model_, ledger_.friction_work - before.friction_work) : rest - after;
-    if (bent(off, after, before) && may_quarter(path, off)) {
+    if (trapezoid_of(path, {off, after}, before, ledger_, model_.scene.time) == Trapezoid::too_long) {
       ledger_ = before;
       return false;
     }
@@ -139,26 +125,9 @@ bool LoadSteps::load_part(LoadPath& path, bool follow, bool first, StepReport& r
   return true;
 }
 
-// Whether what is missing of the energy exchanged since `before` is too much. `off`, `rest`: J/m, given off since, and unexplained by the ledger as a whole.
-bool LoadSteps::bent(double off, double rest, const Ledger& before) {
-  strict_ = std::abs(rest) > most_off * ledger_.scale() && rest * off < 0;
-  return std::abs(off) > std::max((strict_ ? strict_bend : most_bend) * exchanged(before, ledger_), least_bend * ledger_.scale());
-}
-
-bool LoadSteps::may_quarter(LoadPath& path, double off) const {
-  const double unit = path.jumps() ? 1 : model_.scene.time.t_end / model_.scene.time.steps;
-  const double now = off / path.length(), before = std::exchange(path.off_rate, now);
-  if (is_shortest(path)) return false;
-  if (path.length() > finest_increment * unit || path.meets_jump()) return true;
-  const bool goes_by_length = now < by_length * before && before < by_length * now;
-  return strict_ && path.length() > strict_increment * unit && !goes_by_length;
-}
-
-bool LoadSteps::is_shortest(const LoadPath& path) const { return path.length() <= least_increment * path.whole() * (1 + 1e-9) && !path.meets_jump(); }
-
 void LoadSteps::cut(LoadPath& path, double part) {
   const bool jumped = path.jumps();
-  path.cut(part, least_increment);
+  path.cut(part);
   if (path.jumps() != jumped) pace_ = 0;
   ++totals_.cuts;
 }
@@ -207,7 +176,7 @@ double LoadSteps::pace(const LoadPath& path, double utilisation) const {
 StepReport LoadSteps::raise_load(double to, bool first) {
   const double strength = 1 + model_.scene.fracture.overshoot, before = parts_.fracture->judge();
   LoadPath path(model_, to);
-  path.stop_at(std::max(foreseen(path, before), least_increment * path.whole()));
+  path.stop_at(std::max(foreseen(path, before), path.least()));
   const Closure closure(model_, parts_.joints, {});
   int vain = 0;  // solves
   for (int cuts = 0;; ++cuts) {
@@ -217,12 +186,12 @@ StepReport LoadSteps::raise_load(double to, bool first) {
     path.end();
     EquilibriumSearch search;
     search.most_solves = most_search_solves;
-    search.may_jump = (before + pace(path, before) * path.length() <= strength && !path.meets_jump()) || is_shortest(path);
+    search.may_jump = (before + pace(path, before) * path.length() <= strength && !path.meets_jump()) || path.is_shortest();
     const bool found = equilibrium_.balance(search);
     search.report.cuts = cuts;
     if (!found) vain += search.report.iterations;
     const double after = search.report.utilisation = found ? parts_.fracture->judge() : 0;
-    const bool stands = found && (after <= strength || search.jumped || is_shortest(path));
+    const bool stands = found && (after <= strength || search.jumped || path.is_shortest());
     if (stands && book(booking, path, search.jumped, after - before)) {
       attempt.keep();
       parts_.fracture->weaken();
@@ -230,7 +199,7 @@ StepReport LoadSteps::raise_load(double to, bool first) {
       return search.report;
     }
     const bool enough = vain > most_vain_solves || short_increments_ > most_short_increments;
-    if (!found && (is_shortest(path) || enough)) {
+    if (!found && (path.is_shortest() || enough)) {
       if (totals_.failures == 0) equilibrium_.give_up(search);
       const StepReport report = collapse(search);
       attempt.back();
@@ -247,12 +216,12 @@ bool LoadSteps::book(const IncrementBooking& booking, LoadPath& path, bool jumpe
   book(booking.loads, booking.first);
   booking.bridges.book(model_, ledger_);
   const double off = booking.closure.work(model_, ledger_.friction_work - ledger.friction_work);
-  const bool is_bent = bent(off, parts_.energies().unexplained, ledger);
-  if (!jumped && is_bent && may_quarter(path, off)) {
+  const Trapezoid trapezoid = trapezoid_of(path, {off, parts_.energies().unexplained}, ledger, ledger_, model_.scene.time);
+  if (!jumped && trapezoid == Trapezoid::too_long) {
     ledger_ = ledger;
     return false;
   }
-  if (jumped || (is_bent && off > 0))
+  if (jumped || (trapezoid != Trapezoid::holds && off > 0))
     ledger_.fracture_work += off;
   else if (path.length() > 0)
     pace_ = raised / path.length();

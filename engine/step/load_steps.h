@@ -42,9 +42,6 @@ class LoadSteps {
   void book(const LoadStepBooking& booking, bool first);
   bool book(const IncrementBooking& booking, LoadPath& path, bool jumped, double raised);
   void cut(LoadPath& path, double part);
-  bool bent(double off, double rest, const Ledger& before);
-  bool may_quarter(LoadPath& path, double off) const;
-  bool is_shortest(const LoadPath& path) const;
   StepReport collapse(const EquilibriumSearch& search);
 
   StepParts& parts_;
@@ -54,7 +51,6 @@ class LoadSteps {
   Ledger& ledger_;
   Equilibrium equilibrium_;
   std::string collapse_;
-  bool strict_ = false;       // the last increment left the ledger farther off than it may be
   int short_increments_ = 0;  // of load, one after the other
   double pace_ = 0;           // 1/s, or in a jump of loads over all of it, at which utilisations came up with the last of them
 };
