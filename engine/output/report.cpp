@@ -43,7 +43,7 @@ void add_totals(Json& json, const RunTotals& totals) {
 void add_energy(Json& json, const Simulation& simulation) {
   const Energies energies = simulation.energies();
   json.object("energy");
-  for (const EnergyTerm* term : energy_terms(simulation.plan)) json.number(term->column, energies.*term->value);
+  for (const EnergyTerm* term : energy_terms(simulation.plan, energies)) json.number(term->column, energies.*term->value);
   json.number("scale", energies.scale);
   json.number("unexplained_ratio", energies.scale > 0 ? energies.unexplained / energies.scale : 0).end();
 }

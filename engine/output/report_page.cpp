@@ -98,7 +98,7 @@ void add_ledger(Page& page, const Simulation& simulation) {
   const Energies energies = simulation.energies();
   page.head("Energy ledger");
   page.raw("<table>\n<tr><th>term</th><th></th><th>J/m</th><th>% of the energy at hand</th></tr>\n");
-  for (const EnergyTerm* term : energy_terms(simulation.plan)) {
+  for (const EnergyTerm* term : energy_terms(simulation.plan, energies)) {
     const double value = energies.*term->value;
     page.raw("<tr><td title=\"" + escape_xml(term->meaning) + "\">" + escape_xml(term->label) + "</td><td class=\"quiet\">" +
              kinds[term->kind] + "</td><td class=\"n\">" + escape_xml(significant(value, 5)) + "</td><td class=\"n\">" +

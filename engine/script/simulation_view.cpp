@@ -57,7 +57,7 @@ void push_status(lua_State* L, const StepReport& report) {
 
 void push_energy(lua_State* L, Simulation& simulation) {
   const Energies energies = simulation.energies();
-  const auto terms = energy_terms(simulation.plan);
+  const auto terms = energy_terms(simulation.plan, energies);
   lua_createtable(L, 0, int(terms.size()) + 1);
   for (const EnergyTerm* term : terms) set_number(L, term->name.c_str(), energies.*term->value);
   set_number(L, "scale", energies.scale);

@@ -34,7 +34,7 @@ std::span<const EnergyTerm> energy_terms() {
       {"total", "total_energy", "total", EnergyTerm::sum, &Energies::total,
        "kinetic, strain, contact and gravity together", always},
       {"external", "external_work", "loads", EnergyTerm::put_in, &Energies::external,
-       "work of loads and body forces, and in static runs of what is not in balance of an initial stress", [](const Plan& plan) { return plan.loads; }},
+       "work of loads and body forces, of what a script changes between steps, and in static runs of what is not in balance of an initial stress", [](const Plan& plan) { return plan.loads; }},
       {"gas", "gas_work", "gas", EnergyTerm::put_in, &Energies::gas, "work of explosion gas on the rock",
        [](const Plan& plan) { return plan.gas; }},
       {"boundary", "boundary_work", "moving supports", EnergyTerm::put_in, &Energies::boundary,
@@ -55,10 +55,12 @@ std::span<const EnergyTerm> energy_terms() {
   return terms;
 }
 
-std::vector<const EnergyTerm*> energy_terms(const Plan& plan) {
+std::vector<const EnergyTerm*> energy_terms(const Plan& plan) { return energy_terms(plan, {}); }
+
+std::vector<const EnergyTerm*> energy_terms(const Plan& plan, const Energies& energies) {
   std::vector<const EnergyTerm*> present;
   for (const EnergyTerm& term : energy_terms())
-    if (term.present(plan)) present.push_back(&term);
+    if (term.present(plan) || energies.*term.value != 0) present.push_back(&term);
   return present;
 }
 

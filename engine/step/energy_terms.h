@@ -23,5 +23,7 @@ struct EnergyTerm {
 
 std::span<const EnergyTerm> energy_terms();
 std::vector<const EnergyTerm*> energy_terms(const Plan& plan);  // those the scene can have
+// And those that it has come to have, as its script has changed something.
+std::vector<const EnergyTerm*> energy_terms(const Plan& plan, const Energies& energies);
 
 }  // namespace talus

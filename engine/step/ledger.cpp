@@ -59,11 +59,6 @@ double squared(double x) {
   return x * x;
 }
 
-void keep_largest(Ledger& ledger) {
-  for (const double work : {ledger.gravity_work, ledger.external_work, ledger.gas_work, ledger.boundary_work})
-    ledger.largest_work = std::max(ledger.largest_work, std::abs(work));
-}
-
 }  // namespace
 
 void visit_state(Ledger& ledger, StateVisitor& v) {
@@ -90,6 +85,10 @@ void visit_state(Energies& energies, StateVisitor& v) {
   for (double* energy : {&kinetic, &strain, &contact, &gravity, &total, &external, &gas, &boundary, &friction, &damping,
                          &viscous, &fracture, &numerical, &unexplained, &scale})
     v("energy", *energy);
+}
+
+void Ledger::keep_largest() {
+  for (const double work : {gravity_work, external_work, gas_work, boundary_work}) largest_work = std::max(largest_work, std::abs(work));
 }
 
 void book_motion(const BookedStep& s, Ledger& ledger) {
@@ -133,7 +132,7 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   ledger.numerical_flow += moved.numerical;
   book_blocks(s, ledger);
   ledger.numerical_flow += s.joints.loss_of_turning(model, s.poses, s.scheme, s.d, s.moved);
-  keep_largest(ledger);
+  ledger.keep_largest();
 }
 
 double pressed_at_start(const Contact& c) {
@@ -180,7 +179,7 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
     if (c.state == ContactState::slip)
       ledger.friction_work += std::abs(c.shear_force * (c.slip - before_[k].slip));
   }
-  keep_largest(ledger);
+  ledger.keep_largest();
 }
 
 std::vector<Vec2> support_reactions(const Model& model, const Supports& supports, double time) {
@@ -191,19 +190,6 @@ std::vector<Vec2> support_reactions(const Model& model, const Supports& supports
     if (model.held_by[c.j] >= 0) sum[model.held_by[c.j]] += on_i;
   }
   return sum;
-}
-
-std::vector<LoadStepBooking::Force> LoadStepBooking::forces(const Model& model, double time) {
-  Poses now;
-  now.predict(model, Scheme::equilibrium());
-  std::vector<Force> all;
-  each_load(model, now, time, [&](int block, const LoadPoint& point, const Vec2& force) {
-    if (model.shapes[size_t(block)].dofs > 0) all.push_back({force, point.at});
-  });
-  for (size_t b = 0; b < model.blocks.size(); ++b)
-    if (model.shapes[b].dofs > 0)
-      all.push_back({model.shapes[b].area * body_force(model, model.shapes[b].region, 0, time), model.blocks[b].centroid});
-  return all;
 }
 
 BridgeBooking::BridgeBooking(const Model& model) {
@@ -220,55 +206,6 @@ void BridgeBooking::book(const Model& model, Ledger& ledger) const {
 void BridgeBooking::book(const Model& model, double taken, Ledger& ledger) const {
   ledger.fracture_work += taken;
   for (const auto& [j, then] : before_) ledger.fracture_work -= bridge_energy(model.joints[j]) - bridge_energy(then);
-}
-
-namespace {
-
-// N, against which a contact that has slid in a load step that drives it began to: its shear force before where its limit came down to that, else the limit. `limit`: now.
-double began_against(const Model& model, const Contact& c, double limit) {
-  if (std::isnan(c.load_normal)) return limit;
-  const Strength strength = model.contact_strength(c);
-  const double before = c.load_normal > 0 ? std::tan(strength.friction) * c.load_normal + strength.cohesion * c.length : 0;
-  return std::max(std::abs(c.load_shear), std::min(before, limit));
-}
-
-}  // namespace
-
-LoadStepBooking::LoadStepBooking(const Model& model, const Supports& supports, double time, bool unloaded)
-    : unloaded_(unloaded),
-      forces_(forces(model, unloaded ? model.time : time)),  // unloaded: for their places alone
-      gravity_(unloaded ? Vec2::Zero() : model.gravity()),
-      reactions_(support_reactions(model, supports, time)) {
-  for (const BlockState& state : model.blocks) centroids_.push_back(state.centroid);
-  for (const Fixity& fixity : model.scene.fixities) moved_.push_back(model.moved(fixity, time));
-}
-
-void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledger) const {
-  const std::vector<Force> now = forces(model, model.time);
-  const double earlier = unloaded_ ? 0 : 1;
-  for (size_t k = 0; k < now.size(); ++k)
-    ledger.external_work += (earlier * forces_[k].force + now[k].force).dot(now[k].place - forces_[k].place) / 2;
-  const Vec2 mean_gravity = (gravity_ + model.gravity()) / 2;
-  for (size_t b = 0; b < centroids_.size(); ++b)
-    if (model.shapes[b].dofs > 0) ledger.gravity_work += model.mass(int(b)) * mean_gravity.dot(model.blocks[b].centroid - centroids_[b]);
-  const std::vector<Vec2> reaction = support_reactions(model, supports, model.time);
-  bool driven = false;
-  for (size_t k = 0; k < now.size(); ++k) driven |= now[k].force != forces_[k].force;
-  for (size_t f = 0; f < reaction.size(); ++f) {
-    const Vec2 moved = model.moved(model.scene.fixities[f], model.time) - moved_[f];
-    driven |= moved != Vec2::Zero();
-    ledger.boundary_work += (reactions_[f] + reaction[f]).dot(moved) / 2;
-  }
-  for (Contact& c : model.contacts) {
-    if (c.state != ContactState::open && c.slip != c.load_slip) {
-      const double limit = std::abs(c.shear_force), before = unloaded_ ? 0 : driven ? began_against(model, c, limit) : std::isnan(c.load_shear) ? limit : std::abs(c.load_shear);
-      ledger.friction_work += (before + limit) / 2 * std::abs(c.slip - c.load_slip);
-    }
-    c.load_normal = c.normal_force;
-    c.load_shear = c.shear_force;
-    c.load_slip = c.slip;
-  }
-  keep_largest(ledger);
 }
 
 namespace {

@@ -34,6 +34,7 @@ struct Ledger {
   double largest_work = 0;    // largest magnitude of gravity, external, gas or boundary work so far; in motion at least what an initial stress can give
 
   double scale() const { return std::max(start_energy, largest_work); }  // that errors are measured by
+  void keep_largest();  // after works have been booked
 };
 void visit_state(Ledger& ledger, StateVisitor& visitor);  // the registry, model/registry.h
 
@@ -106,23 +107,5 @@ class BridgeBooking {
 
 // N/m per fixity, as Supports::reactions: on what it holds by points and edges, and on what its held blocks touch.
 std::vector<Vec2> support_reactions(const Model& model, const Supports& supports, double time);
-
-// A load step of a static run: forces grow linearly over it, from nothing before the first. Friction's work too is that of the whole
-// step: what slides to and fro while equilibrium is looked for has not done so in the rock.
-class LoadStepBooking {
- public:
-  LoadStepBooking(const Model& model, const Supports& supports, double time, bool unloaded);
-  void book(Model& model, const Supports& supports, Ledger& ledger) const;
-
- private:
-  struct Force {
-    Vec2 force, place;  // N/m, m
-  };
-  static std::vector<Force> forces(const Model& model, double time);
-  bool unloaded_;
-  std::vector<Force> forces_;
-  Vec2 gravity_;  // m/s2
-  std::vector<Vec2> centroids_, reactions_, moved_;
-};
 
 }  // namespace talus

@@ -100,7 +100,7 @@ bool LoadSteps::load_part(LoadPath& path, bool follow, bool first, StepReport& r
   if (follow && !grows) closure.emplace(model_, parts_.joints, std::vector<int>{});
   const double rest = grows ? parts_.energies().unexplained : 0;
   path.begin();
-  const LoadStepBooking booking(model_, parts_.supports, path.begins_at(), first);
+  const LoadStepBooking booking(model_, parts_.supports, path.begins_at(), first, constants_before_);
   path.end();
   const Ledger before = ledger_;
   EquilibriumSearch search;
@@ -119,6 +119,7 @@ bool LoadSteps::load_part(LoadPath& path, bool follow, bool first, StepReport& r
     }
     attempt->keep();
   }
+  constants_before_ = {};
   report.iterations += search.report.iterations;
   report.residual = std::max(report.residual, search.report.residual);
   report.displacement += search.report.displacement;  // at most
@@ -182,7 +183,7 @@ StepReport LoadSteps::raise_load(double to, bool first) {
   for (int cuts = 0;; ++cuts) {
     Restored attempt(model_);
     path.begin();
-    const IncrementBooking booking{{model_, parts_.supports, path.begins_at(), first}, BridgeBooking(model_), closure, first};
+    const IncrementBooking booking{{model_, parts_.supports, path.begins_at(), first, constants_before_}, BridgeBooking(model_), closure, first};
     path.end();
     EquilibriumSearch search;
     search.most_solves = most_search_solves;
@@ -194,6 +195,7 @@ StepReport LoadSteps::raise_load(double to, bool first) {
     const bool stands = found && (after <= strength || search.jumped || path.is_shortest());
     if (stands && book(booking, path, search.jumped, after - before)) {
       attempt.keep();
+      constants_before_ = {};
       parts_.fracture->weaken();
       short_increments_ = path.complete(to) || parts_.bonds_due() ? 0 : short_increments_ + 1;
       return search.report;
@@ -231,7 +233,7 @@ bool LoadSteps::book(const IncrementBooking& booking, LoadPath& path, bool jumpe
 
 StepReport LoadSteps::break_bonds(const std::vector<int>& due) {
   const double most = parts_.fracture->judge();
-  const LoadStepBooking booking(model_, parts_.supports, model_.time, false);
+  const LoadStepBooking booking(model_, parts_.supports, model_.time, false, constants_before_);
   const double by_bonds = parts_.fail(due, model_.time, false).energy;
   parts_.search.update(model_, 0);
   const double released = by_bonds - parts_.contacts_of_events();
@@ -246,6 +248,7 @@ StepReport LoadSteps::break_bonds(const std::vector<int>& due) {
     report = search.report;
     const double friction = ledger_.friction_work;
     booking.book(model_, parts_.supports, ledger_);
+    constants_before_ = {};
     ledger_.fracture_work += released + closure.work(model_, ledger_.friction_work - friction);
     bridges.book(model_, ledger_);
     parts_.fracture->weaken();
@@ -269,7 +272,13 @@ StepReport LoadSteps::collapse(const EquilibriumSearch& search) {
   return report;
 }
 
+void LoadSteps::before_change() {
+  if (!constants_before_.given()) constants_before_ = {model_.scene.materials, model_.scene.properties};
+}
+
 void LoadSteps::visit_state(StateVisitor& visitor) {
+  visitor.growing("materials_before", constants_before_.materials);
+  visitor.growing("properties_before", constants_before_.properties);
   visitor("short_increments", short_increments_);
   visitor("pace", pace_);
 }

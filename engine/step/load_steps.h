@@ -7,6 +7,7 @@
 #include "step/closure.h"
 #include "step/equilibrium.h"
 #include "step/load_path.h"
+#include "step/load_step_booking.h"
 #include "step/step_parts.h"
 
 namespace talus {
@@ -18,6 +19,7 @@ class LoadSteps {
   // Equilibrium under the loads of a later time, `to` at most, or under the same load after the bonds that the last step
   // overstressed have failed. `first`: nothing was loaded before. Throws RunError where there is none and nothing has failed yet.
   StepReport step(double to, bool first);
+  void before_change();  // of materials or joints, by the script: what that puts in is booked with the next load step
   std::string collapse_note() const;  // of a load step that found no equilibrium
 
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
@@ -51,6 +53,7 @@ class LoadSteps {
   Ledger& ledger_;
   Equilibrium equilibrium_;
   std::string collapse_;
+  Constants constants_before_;  // where the script has changed them since the last load step
   int short_increments_ = 0;  // of load, one after the other
   double pace_ = 0;           // 1/s, or in a jump of loads over all of it, at which utilisations came up with the last of them
 };

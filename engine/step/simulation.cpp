@@ -212,7 +212,9 @@ Energies Simulation::energies() const {
 }
 
 void Simulation::before_change() {
-  if (changed_ || !begun_ || !plan.dynamic) return;
+  if (!begun_) return;
+  if (!plan.dynamic) load_steps_->before_change();
+  if (changed_) return;
   rest_at_change_ = energies().unexplained;
   changed_ = true;
   recovered_step_ = -1;
@@ -220,8 +222,10 @@ void Simulation::before_change() {
 
 void Simulation::book_change() {
   if (!changed_) return;
-  ledger.external_work = energies().external;
-  ledger.largest_work = std::max(ledger.largest_work, std::abs(ledger.external_work));
+  if (plan.dynamic) {  // else with the load step
+    ledger.external_work = energies().external;
+    ledger.keep_largest();
+  }
   changed_ = false;
   rest_at_change_ = 0;
 }

@@ -58,7 +58,7 @@ class Simulation {
   std::vector<std::string> notes;  // what the user should know of the run; shown and kept in run.json
   Ledger ledger;                   // of energy, since the start of the run
   Energies energies() const;
-  // To be called before materials, joint properties, supports or velocities are changed between two steps of motion: what that adds to
+  // To be called before materials, joint properties, supports or velocities are changed between two steps: what that adds to
   // the energy is work put in.
   void before_change();
   // s, until when a load or support that is changed now comes to what it becomes: over the next load step. 0 in motion, and before the first: at once.

@@ -170,3 +170,25 @@ for _ in within:steps() do
 end
 check.above("steps gone back to within a jump of loads", inside, 3)
 check.equal("a static run with steps gone back to ends as one without", within:hash(), (function() local sim = torn() sim:run() return sim:hash() end)())
+
+-- One that is saved between a change of the rock and the load step that it comes over.
+local function softened()
+  local rock = talus.material { name = "rock", density = 2500, young = 1*u.GPa, poisson = 0.2 }
+  local sim = talus.simulation {
+    gravity = {0, -9.81}, contact = talus.joint { name = "rough", friction = 30*u.deg },
+    regions = { talus.region { name = "floor", outline = talus.rect(-1, -1, 4, 0), material = rock, held = true },
+                talus.region { name = "block", outline = talus.rect(0, 0, 3, 3), material = rock, mesh = { size = 1 } } },
+    time = { mode = "static", t_end = 2, steps = 2 },
+  }
+  sim:step()
+  rock.young, rock.density = 0.5*u.GPa, 3000
+  return sim
+end
+local soft = softened()
+local state = soft:save()
+soft:step()
+local whole, put_in = soft:hash(), soft.energy.external
+check.below("what the change of the rock put in, J/m", put_in, -5)
+soft:restore(state)
+soft:step()
+check.equal("a static run that goes back to a change of its rock goes on as before", soft:hash(), whole)
