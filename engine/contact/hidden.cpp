@@ -37,6 +37,7 @@ class Hiding {
     const Vec2 &at = outline_.place(c.global_vertex), &from = outline_.place(c.global_edge), along = outline_.place(outline_.last({c.j, c.edge})) - from;
     const Vec2 rate = model_.velocity_at(c.i, at) - model_.velocity_at(c.j, at);
     const double length = along.norm(), flush = flush_distance(model_, c.i, c.j, along / length), closing = cross(along, rate) / length;  // m/s
+    if (c.kind == ContactKind::edge_edge && 2 * c.length > flush) return false;  // faces that press each other, as of a crack with a kink
     const double s = along.dot(at - from) / length + (c.gap > 0 && closing > 0 ? along.dot(rate) / length * c.gap / closing : 0);  // where it comes to the edge's line
     if (s > flush && s < length - flush) return false;
     const int end = s <= flush ? c.global_edge : outline_.last({c.j, c.edge});

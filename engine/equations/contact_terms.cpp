@@ -28,7 +28,9 @@ ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int lo
 // being a load, goes, and the force is that of the slope, so that what slides pays for what is lifted (theory, § 5). Which way it
 // slides its friction says, also of what slips at rest; without friction the speed does.
 double climb(const Model& model, const Contact& contact, double sliding, double dt) {
-  if (contact.height <= 0 || contact.state != ContactState::slip || contact.normal_force <= 0) return 0;
+  if (contact.height <= 0 || contact.normal_force <= 0) return 0;
+  // What the slope helps to hold would slide without it: in a search for equilibrium it would come and go.
+  if (contact.state != ContactState::slip) return dt > 0 ? 0 : contact.slope;
   const double way = contact.shear_force != 0 ? contact.shear_force : sliding;
   const double size = std::min(model.shapes[contact.i].length, model.shapes[contact.j].length);
   const double slope = contact.height / std::max(climbed_within * size, 2 * std::abs(sliding) * dt);

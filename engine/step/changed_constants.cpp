@@ -23,7 +23,32 @@ void displace(Fixity& fixity, const Vec2& moved) {
   fixity.value = {History(moved.x()), History(moved.y())};
 }
 
+template <class Of, class... Fields>
+void between(const Of& from, double part, Of& to, Fields Of::*... fields) {
+  ((to.*fields = (1 - part) * from.*fields + part * to.*fields), ...);
+}
+
 }  // namespace
+
+Constants constants_of(const Scene& scene) { return {scene.materials, scene.properties}; }
+
+ConstantsWay::ConstantsWay(const Model& model, const Constants& before, double ends)
+    : from_(before), to_(constants_of(model.scene)), begins_(model.time), ends_(ends) {}
+
+void ConstantsWay::go(Model& model, double time) const {
+  Constants there = to_;
+  if (time < ends_) {
+    const double part = (time - begins_) / (ends_ - begins_);
+    for (size_t m = 0; m < to_.materials.size(); ++m) between(from_.materials[m], part, there.materials[m], &Material::density, &Material::young, &Material::poisson);
+    for (size_t p = 0; p < to_.properties.size(); ++p) {
+      between(from_.properties[p], part, there.properties[p], &JointProperty::friction, &JointProperty::cohesion, &JointProperty::penalty, &JointProperty::shear_ratio);
+      if (from_.properties[p].stiffness_kind == to_.properties[p].stiffness_kind) between(from_.properties[p], part, there.properties[p], &JointProperty::stiffness);
+    }
+  }
+  model.scene.materials = std::move(there.materials);
+  model.scene.properties = std::move(there.properties);
+  ++model.revision;
+}
 
 WithConstants::WithConstants(const Model& as_it_is, const Constants& constants) : model(as_it_is) {
   model.scene.materials = constants.materials;
@@ -39,7 +64,7 @@ ConstantsBooking::ConstantsBooking(const Model& model, const Constants& before, 
 
 // With D = ½ u·(K₁ - K₀)u, which is what the change adds to the energy stored at u: 2 D((u₀ + u₁)/2) - (D(u₀) + D(u₁))/2.
 double ConstantsBooking::work(const Model& model, const std::vector<Vec2>& moved) const {
-  WithConstants now(model, {model.scene.materials, model.scene.properties}), then(model, before_);
+  WithConstants now(model, constants_of(model.scene)), then(model, before_);
   const auto added = [&](double part) {  // of the way from the start of the load step
     for (WithConstants* rock : {&now, &then}) {
       for (size_t b = 0; b < blocks_.size(); ++b)

@@ -2,7 +2,8 @@
 // What a script changes of materials and joints between two load steps of a static run comes over the next one, as loads do. With K the stiffness
 // of rock, bonds and supports, K₀u₀ = f₀ before and K₁u₁ = f₁ after (also where only contacts hold what moves), by Betti's theorem
 //   ½ u₁·K₁u₁ - ½ u₀·K₀u₀ = ½ (f₀ + f₁)·(u₁ - u₀) + ½ u₀·(K₁ - K₀)u₁:
-// the first part is the loads', the second the script's.
+// the first part is the loads', the second the script's. Where no bond can fail the constants themselves come in the parts in which a load step is taken, so
+// that what slides and opens as they change is followed.
 #include <vector>
 
 #include "equations/joint_terms.h"
@@ -14,6 +15,17 @@ struct Constants {
   std::vector<Material> materials;
   std::vector<JointProperty> properties;
   bool given() const { return !materials.empty(); }
+};
+Constants constants_of(const Scene& scene);
+
+class ConstantsWay {  // over a load step that begins at the model's time, from `before` to what the model has
+ public:
+  ConstantsWay(const Model& model, const Constants& before, double ends);
+  void go(Model& model, double time) const;  // gives it those that hold when the loads are those of `time`, s
+
+ private:
+  Constants from_, to_;
+  double begins_, ends_;  // s
 };
 
 // The rock as it would be with other constants.

@@ -25,17 +25,17 @@ Closure::Closure(const Model& model, const JointTerms& bonds, const std::vector<
 double Closure::work(const Model& model, double friction) const {
   double sum = stored_ - contact_energy(model.contacts) - friction;
   for (const Before& before : before_) sum += of_bond(model, before);
-  for (const auto& [c, force] : pushed_) sum -= force.dot(moved(model, c)) / 2;
+  for (const auto& [c, force] : pushed_) sum -= force.dot(moved(model, c, vertex_)) / 2;
   for (const Contact& c : model.contacts)
-    if (pushes(c)) sum -= contact_push(model, c).dot(moved(model, c)) / 2;
+    if (pushes(c)) sum -= contact_push(model, c).dot(moved(model, c, model.vertex)) / 2;
   return sum;
 }
 
-// A corner from the point of the edge that it lay beside, m.
-Vec2 Closure::moved(const Model& model, const Contact& c) const {
+// A corner from the point of the edge that it lies beside when the force acts, m: what slides by s along an edge that turns by φ would do work N s φ / 2 otherwise.
+Vec2 Closure::moved(const Model& model, const Contact& c, const std::vector<Vec2>& as_it_acts) const {
   const int end = model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge);
-  const Vec2 edge = vertex_[end] - vertex_[c.global_edge];
-  const double at = (vertex_[c.global_vertex] - vertex_[c.global_edge]).dot(edge) / edge.squaredNorm();
+  const Vec2 from = as_it_acts[size_t(c.global_edge)], edge = as_it_acts[size_t(end)] - from;
+  const double at = (as_it_acts[size_t(c.global_vertex)] - from).dot(edge) / edge.squaredNorm();
   const auto way = [&](int v) -> Vec2 { return model.vertex[v] - vertex_[v]; };
   return way(c.global_vertex) - (1 - at) * way(c.global_edge) - at * way(end);
 }

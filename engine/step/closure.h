@@ -25,7 +25,7 @@ class Closure {
     Contact contact;
     Vec2 force;  // N/m, on the corner
   };
-  Vec2 moved(const Model& model, const Contact& contact) const;
+  Vec2 moved(const Model& model, const Contact& contact, const std::vector<Vec2>& as_it_acts) const;
   double of_bond(const Model& model, const Before& before) const;
   std::vector<BondTraction> fluxes(const Model& model, int joint) const;
 

@@ -23,6 +23,7 @@ class LoadPath {  // a part of a load step
   bool jumps() const { return jumps_; }
   bool meets_jump() const;  // on its way in time
   double from() const { return from_; }    // s
+  double reached() const { return jumps_ ? from_ + go_ * (until_ - from_) : until_; }  // s
   double length() const { return jumps_ ? go_ - come_ : until_ - from_; }  // s, or part of a jump
   double whole() const { return jumps_ ? 1 : model_.scene.time.t_end; }    // likewise, of the run or the jump
   bool complete(double to) const { return until_ == to && go_ == 1; }

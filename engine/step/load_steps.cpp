@@ -74,8 +74,10 @@ StepReport LoadSteps::take(double to, bool first) {
 // Where no bond can fail. What slides to and fro in it is followed to where it turns round, in parts of its time, and of their way where loads jump.
 StepReport LoadSteps::load(double to, bool first) {
   const bool moving = moves_supports(model_.scene);  // the script may have let one go since the plan was made
-  const bool follow = plan_.contacts && loads_change(model_.scene);
+  const bool follow = plan_.contacts && (loads_change(model_.scene) || constants_before_.given());
   const double target = plan_.contacts && moving ? reachable(to) : to;
+  std::optional<ConstantsWay> constants;
+  if (constants_before_.given()) constants.emplace(model_, constants_before_, target);
   if (first && !plan_.initial_stress) {
     model_.time = target;
     model_.load_way = {LoadWay::nothing, 0};
@@ -83,16 +85,18 @@ StepReport LoadSteps::load(double to, bool first) {
   StepReport report;
   for (;;) {
     LoadPath path(model_, target);
-    for (; !load_part(path, follow, first, report); ++report.cuts) cut(path, 0.25);
-    if (path.complete(target)) return report;
+    for (; !load_part(path, constants ? &*constants : nullptr, follow, first, report); ++report.cuts) cut(path, 0.25);
+    if (path.complete(target)) break;
     if (model_.load_way.part == 1) go_on();
     first = false;
   }
+  constants_before_ = {};
+  return report;
 }
 
 // Whether it is as straight as its booking takes it for; the model is as before where it is not. As loads grow from nothing that is what the ledger as a
 // whole says: blocks turn and bend by the most then.
-bool LoadSteps::load_part(LoadPath& path, bool follow, bool first, StepReport& report) {
+bool LoadSteps::load_part(LoadPath& path, const ConstantsWay* constants, bool follow, bool first, StepReport& report) {
   const bool grows = path.from() == LoadWay::nothing;
   std::optional<Restored> attempt;
   std::optional<Closure> closure;
@@ -102,6 +106,7 @@ bool LoadSteps::load_part(LoadPath& path, bool follow, bool first, StepReport& r
   path.begin();
   const LoadStepBooking booking(model_, parts_.supports, path.begins_at(), first, constants_before_);
   path.end();
+  if (constants) constants->go(model_, path.reached());
   const Ledger before = ledger_;
   EquilibriumSearch search;
   search.in_place = !moves_supports(model_.scene);
@@ -119,7 +124,7 @@ bool LoadSteps::load_part(LoadPath& path, bool follow, bool first, StepReport& r
     }
     attempt->keep();
   }
-  constants_before_ = {};
+  if (constants) constants_before_ = constants_of(model_.scene);
   report.iterations += search.report.iterations;
   report.residual = std::max(report.residual, search.report.residual);
   report.displacement += search.report.displacement;  // at most
@@ -273,7 +278,7 @@ StepReport LoadSteps::collapse(const EquilibriumSearch& search) {
 }
 
 void LoadSteps::before_change() {
-  if (!constants_before_.given()) constants_before_ = {model_.scene.materials, model_.scene.properties};
+  if (!constants_before_.given()) constants_before_ = constants_of(model_.scene);
 }
 
 void LoadSteps::visit_state(StateVisitor& visitor) {

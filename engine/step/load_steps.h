@@ -35,7 +35,7 @@ class LoadSteps {
   StepReport take(double to, bool first);
   void go_on();
   StepReport load(double to, bool first);
-  bool load_part(LoadPath& path, bool follow, bool first, StepReport& report);
+  bool load_part(LoadPath& path, const ConstantsWay* constants, bool follow, bool first, StepReport& report);
   double reachable(double to) const;
   StepReport raise_load(double to, bool first);
   double foreseen(const LoadPath& path, double utilisation) const;
