@@ -39,6 +39,7 @@ class NearPair {
         dt_(dt),
         judged_(dt + judged_ahead(model.scene.numerics, dt)),
         least_(std::min(model.shapes[i].length, model.shapes[j].length)),
+        flush_(largest_flush_distance(model, i, j)),
         way_(way),
         reach_(search_margin * least_ + way),
         fast_(way > beside()),
@@ -108,8 +109,8 @@ class NearPair {
   double meeting() const { return meeting_part * least_; }
   // Whether what is this far from a line of that normal, above or below, lies in it.
   bool flush(const Vec2& normal, double gap) const {
-    const double far = std::abs(gap), certain = flush_part * least_;
-    return far <= certain || (far <= certain + passing_tolerance * least_ && far <= flush_distance(model_, i_, j_, normal));
+    const double far = std::abs(gap);
+    return far <= flush_part * least_ || (far <= flush_ && far <= flush_distance(model_, i_, j_, normal));
   }
   double noise(int v) const { return 32 * std::numeric_limits<double>::epsilon() * model_.size_of(vertex(i_, v)); }
   double beside() const { return beside_part * least_; }
@@ -252,7 +253,7 @@ class NearPair {
   const Outline outline_;
   const Faces& faces_;
   int i_, j_;
-  double dt_, judged_, least_, way_, reach_;  // s, s, m, m, m; judged_: from the start to the places that contacts are judged at
+  double dt_, judged_, least_, flush_, way_, reach_;  // s, s, m, m, m, m; judged_: from the start to the places that contacts are judged at
   bool fast_;                           // may pass an edge by in the step
   double turn_;                         // rad, of i as seen from j until contacts are judged
 };

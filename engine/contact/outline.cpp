@@ -10,11 +10,12 @@ namespace {
 
 bool strains(const BlockShape& shape) { return shape.dofs > rigid_dofs; }
 
+Vec3 stress_of_strain(const Model& model, int block) { return elasticity(model.material(block)) * model.blocks[size_t(block)].strain; }  // Pa, in its own axes
+
 // Pa, of its strain: as they are given, blocks under an initial stress lie flush.
 double normal_stress(const Model& model, int block, const Vec2& n) {
   if (!strains(model.shapes[size_t(block)])) return 0;
-  const BlockState& state = model.blocks[size_t(block)];
-  const Vec3 s = turn_stress(Rotation::of(state.angle), elasticity(model.material(block)) * state.strain);
+  const Vec3 s = turn_stress(Rotation::of(model.blocks[size_t(block)].angle), stress_of_strain(model, block));
   return std::abs(n.x() * n.x() * s[0] + n.y() * n.y() * s[1] + 2 * n.x() * n.y() * s[2]);
 }
 
@@ -28,7 +29,24 @@ double extent(const Model& model, int block, const Vec2& n) {  // m
   return high - low;
 }
 
+// Pa, at most along any normal: what its circle of Mohr reaches.
+double largest_normal_stress(const Model& model, int block) {
+  if (!strains(model.shapes[size_t(block)])) return 0;
+  const Vec3 s = stress_of_strain(model, block);
+  return (std::abs(s[0] + s[1]) + std::sqrt((s[0] - s[1]) * (s[0] - s[1]) + 4 * s[2] * s[2])) / 2;
+}
+
 }  // namespace
+
+double largest_flush_distance(const Model& model, int a, int b) {
+  constexpr double widest = 4;  // radii: of a block that is stretched to twice its length
+  const double least = std::min(model.shapes[size_t(a)].length, model.shapes[size_t(b)].length);
+  const double stress = std::max(largest_normal_stress(model, a), largest_normal_stress(model, b));
+  double give = 0;
+  for (const int block : {a, b})
+    if (stress > 0 && strains(model.shapes[size_t(block)])) give = std::max(give, 2 * widest * model.shapes[size_t(block)].radius * stress / model.material(block).young);
+  return flush_part * least + std::min(give, passing_tolerance * least);
+}
 
 double flush_distance(const Model& model, int a, int b, const Vec2& normal) {
   const double least = std::min(model.shapes[size_t(a)].length, model.shapes[size_t(b)].length);

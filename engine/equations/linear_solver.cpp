@@ -229,9 +229,9 @@ void LinearSolver::solve_coarsely(const Vector& b, Vector& x) {
   if ((coarse - x).norm() <= allowed * x.norm()) state = Cholmod::Coarse::serves;
 }
 
-Eigen::MatrixXd LinearSolver::compliance_of(const std::vector<SparseColumn>& columns) const {
+Compliance LinearSolver::compliance() const {
   if (!cholmod_->good) throw std::logic_error("compliance without a factor");
-  return compliance(cholmod_->supernodes(), columns);
+  return Compliance(cholmod_->supernodes());
 }
 
 }  // namespace talus

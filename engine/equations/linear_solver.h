@@ -23,8 +23,8 @@ class LinearSolver {
   // The same with an error of up to 1e-4 of x, in half the time: for iterations that solve() ends. The first after each factor is
   // exact, and finds whether that error is kept; where it is not all are.
   void solve_coarsely(const Vector& b, Vector& x);
-  // Aᵀ K⁻¹ A with the last factor.
-  Eigen::MatrixXd compliance_of(const std::vector<SparseColumn>& columns) const;
+  // Of the last factor, which it reads: no columns may be added after the next.
+  Compliance compliance() const;
 
   long factorisations = 0;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace talus {
 
@@ -12,6 +13,8 @@ constexpr int least_run = 5;
 // Pairs after which all contacts are looked at, not those alone that press or may soon, and motions are added up anew: carried on with
 // the forces they gather rounding, which stiff rigid walls answer with more sweeps.
 constexpr int rebuilt_every = 10;
+constexpr int looked_at_all = 2;   // of these pairs, the last; in the others the contacts that still change, where these are few
+constexpr double still_part = 0.1, most_changing = 0.6;  // of all change, in squares; of all contacts
 constexpr double ahead = 2;  // times that way: contacts that would close in it may soon press
 
 }  // namespace
@@ -67,23 +70,49 @@ void SweepsOf<size>::watch() {
       active.push_back(int(k));
     gap_[k] = gap;
   }
-  if (!first && active == active_) return;
-  active_ = std::move(active);
-  group();
+  all_ = true;
+  if (!first && active == active_.contacts) return;
+  active_.groups = grouped(active);
+  active_.contacts = std::move(active);
+}
+
+// After a pair that looked at all and changed them by so much, N². After a step of Newton's one contact in ten makes all the change but for a
+// tenth, in squares: those, and what is beside them, are swept alone for a while. What that changes the others by is seen when all are looked at again.
+template <int size>
+void SweepsOf<size>::look_at_changing(const State& from, double change) {
+  if (!tied_.empty()) return;
+  const double enough = still_part * change / double(active_.contacts.size());
+  std::vector<char> changes(blocks_.size() + 1, 0);
+  for (const int contact : active_.contacts) {
+    const Link& link = contacts_[size_t(contact)];
+    const ContactForces now = forces_[size_t(contact)], before = from.forces[size_t(contact)];
+    const double dn = now.n - before.n, dt = now.t - before.t;
+    if (dn * dn + dt * dt > enough) changes[size_t(link.i)] = changes[size_t(link.j)] = 1;
+  }
+  changes.back() = 0;  // what is held
+  std::vector<int> some;
+  for (const int contact : active_.contacts) {
+    const Link& link = contacts_[size_t(contact)];
+    if (changes[size_t(link.i)] || changes[size_t(link.j)]) some.push_back(contact);
+  }
+  if (double(some.size()) > most_changing * double(active_.contacts.size())) return;
+  changing_.groups = grouped(some);
+  changing_.contacts = std::move(some);
+  all_ = false;
 }
 
 // As they come: each into the first of the last few groups that has room for it and moves no block, nor a patch, that it moves.
 template <int size>
-void SweepsOf<size>::group() {
+std::vector<SweptGroup<size>> SweepsOf<size>::grouped(const std::vector<int>& contacts) const {
   constexpr size_t filled_at_once = 8;
   const int held = int(blocks_.size()), none = int(contacts_.size());
-  groups_.clear();
+  std::vector<SweptGroup<size>> groups;
   std::vector<size_t> filled;  // of each group
   size_t first = 0;
-  for (const int k : active_) {
+  for (const int k : contacts) {
     const Link& link = contacts_[size_t(k)];
     const auto takes = [&](size_t g) {
-      const SweptGroup<size>& group = groups_[g];
+      const SweptGroup<size>& group = groups[g];
       const auto moves = [&](int block) {
         const auto same = [&](int other) { return patch_of_[size_t(other)] == patch_of_[size_t(block)]; };
         return block != held && (std::any_of(group.i.begin(), group.i.end(), same) || std::any_of(group.j.begin(), group.j.end(), same));
@@ -91,21 +120,22 @@ void SweepsOf<size>::group() {
       return filled[g] < 4 && !moves(link.i) && !moves(link.j);
     };
     size_t g = first;
-    while (g < groups_.size() && !takes(g)) ++g;
-    if (g == groups_.size()) {
-      groups_.push_back(SweptGroup<size>::of_nothing(none, held, int(rows_.size()) - 1));
+    while (g < groups.size() && !takes(g)) ++g;
+    if (g == groups.size()) {
+      groups.push_back(SweptGroup<size>::of_nothing(none, held, int(rows_.size()) - 1));
       filled.push_back(0);
-      if (groups_.size() > first + filled_at_once) ++first;
+      if (groups.size() > first + filled_at_once) ++first;
     }
-    groups_[g].put(filled[g]++, k, link);
+    groups[g].put(filled[g]++, k, link);
   }
+  return groups;
 }
 
 template <int size>
 void SweepsOf<size>::sweep(bool backwards) {
   if (backwards)
     for (size_t t = tied_.size(); t-- > 0;) relax(t);
-  settle_all(view(), groups_, backwards);
+  settle_all(view(), swept().groups, backwards);
   if (!backwards)
     for (size_t t = 0; t < tied_.size(); ++t) relax(t);
 }
@@ -119,7 +149,7 @@ struct SweepsOf<size>::Change {  // of a pair of sweeps, N²
 template <int size>
 typename SweepsOf<size>::Change SweepsOf<size>::change(const State& from, const State& last) const {
   Change sum;
-  for (const int contact : active_) {
+  for (const int contact : swept().contacts) {
     const auto k = size_t(contact);
     const ContactForces now = forces_[k];
     const double dn = now.n - from.forces[k].n, dt = now.t - from.forces[k].t;
@@ -142,7 +172,7 @@ template <int size>
 void SweepsOf<size>::carry_on(const State& last, double momentum, bool anew) {
   for (size_t t = 0; t < bond_.size(); ++t) bond_[t] += momentum * (bond_[t] - last.bond[t]);
   for (size_t l = 0; l < motion_.size(); ++l) go(motion_[l], last.motion[l], momentum, momentum, motion_[l]);
-  for (const int contact : active_) {
+  for (const int contact : swept().contacts) {
     const auto k = size_t(contact);
     const ContactForces now = forces_[k], before = last.forces[k];
     const ContactForces asked = {now.n + momentum * (now.n - before.n), now.t + momentum * (now.t - before.t)};
@@ -218,12 +248,15 @@ Sweeping::Progress SweepsOf<size>::run(const End& end, Carry carry, std::vector<
     progress.change = now.level > 0 ? std::sqrt(now.change / now.level) : 0;
     progress.moved = std::sqrt(now.change);
     if (progress.pairs == end.most) break;
-    const bool done = progress.change <= end.enough;
-    if (done && active_.size() == contacts_.size()) break;
-    if (done || progress.pairs % rebuilt_every == 0) {
+    const bool done = progress.change <= end.enough && all_, again = progress.pairs % rebuilt_every == 0;
+    if (done && active_.contacts.size() == contacts_.size()) break;
+    if (done || again) {
       watch();
       if (done && none_closes()) break;
     }
+    const bool before_all = all_;
+    if (again && carry == Carry::momentum) look_at_changing(from, now.change);
+    if (progress.pairs % rebuilt_every == rebuilt_every - looked_at_all) all_ = true;
     if (end.worth > 0 && progress.pairs % 10 == 0) {
       const bool on_the_way = decade == 0 || progress.change < decade * std::pow(end.enough / progress.change, 10.0 / end.worth);
       if (const int changed = changed_states(); !on_the_way && changed <= end.changing) break;
@@ -242,7 +275,7 @@ Sweeping::Progress SweepsOf<size>::run(const End& end, Carry carry, std::vector<
       momentum = 0;
       since = 0;
     }
-    before = now.change;
+    before = all_ == before_all ? now.change : std::numeric_limits<double>::infinity();
     State& reached = from;
     reached.forces = forces_;
     reached.bond = bond_;
@@ -266,7 +299,7 @@ Sweeping::Progress SweepsOf<size>::run(const End& end, Carry carry, std::vector<
 template <int size>
 int SweepsOf<size>::changed_states() {
   int changed = 0;
-  for (const int contact : active_) {
+  for (const int contact : swept().contacts) {
     const auto k = size_t(contact);
     const char state = contacts_[k].law.state(forces_[k]);
     changed += state != state_[k];

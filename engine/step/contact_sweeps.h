@@ -73,11 +73,12 @@ class SweepsOf : public Sweeping {
   SweptRows<size> add_moved(const Link& link);
   void put_in_order();
   void pack();
-  void group();
+  std::vector<SweptGroup<size>> grouped(const std::vector<int>& contacts) const;
   void take(const std::vector<double>& normal, const std::vector<double>& shear, const Vector& d);
   void relax(size_t tied);
   void rebuild();  // motion_ from the forces
   void watch();    // sets active_
+  void look_at_changing(const State& from, double change);
   bool none_closes() const;
   int changed_states();  // since it was last asked
   void sweep(bool backwards);
@@ -92,8 +93,14 @@ class SweepsOf : public Sweeping {
   std::vector<ContactForces> forces_;  // of contacts_, and none at the end
   std::vector<char> state_;     // of contacts_, as changed_states() left them
   std::vector<double> gap_;     // m, of contacts_ when they were last looked at all
-  std::vector<int> active_;     // contacts_ that are swept
-  std::vector<SweptGroup<size>> groups_;  // of active_
+  struct Swept {
+    std::vector<int> contacts;  // of contacts_
+    std::vector<SweptGroup<size>> groups;
+  };
+  Swept active_;    // all that press or may soon
+  Swept changing_;  // those of them that still change, and what is beside them
+  bool all_ = true;  // of active_ are swept
+  const Swept& swept() const { return all_ ? active_ : changing_; }
   std::vector<SweptMotion<size>> moved_;
   std::vector<int> moved_block_;  // whose that is
   std::vector<int> blocks_;  // of the problem, those that move

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace talus {
 
@@ -17,8 +16,8 @@ constexpr double still_changing = 0.0005;
 constexpr int least_worth = 10, most_worth = 200;
 // Pairs before the first step of Newton's, and after each to put its states right, times the root of the number of blocks: what sweeps have
 // to carry from one end to the other. Half or twice as many cost a pile as much. In a plate that a blast cracks 20 are enough.
-constexpr double pairs_before = 5, pairs_between = 2.5;
-constexpr int pairs_before_bonded = 100, pairs_between_bonded = 20, least_pairs = 20;
+constexpr double pairs_before = 2.5, pairs_between = 2.5;
+constexpr int pairs_before_bonded = 50, pairs_between_bonded = 20, least_pairs = 20;
 // Rounds that do not halve what sweeps change, before the splitting. With 0 piles of 1500 blocks are cut more and take a third more.
 constexpr int most_in_vain = 1;
 // Rounds at most: with ever more sweeps in each the later ones do halve that, in steps of 1 to 2 s where their like take 0.01. With 3 to 8 the crater
@@ -109,10 +108,8 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
     return sweeps_.bonded() ? of_bonded : std::max(least_pairs, int(part * std::sqrt(blocks)));
   };
   const auto swept = [&](int most, int changing) {
-    const int before = result.sweeps / 2;
     result.converged = sweep(problem, {most, sweep_tolerance, worth, changing}, Carry::momentum, d, result) <= tolerance;
     take_states(problem);
-    return result.sweeps / 2 - before;
   };
   struct {
     double change = std::numeric_limits<double>::infinity();
@@ -130,12 +127,9 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
     take_states(problem);
   };
   const int most = presses_already(problem) ? most_rounds : most_rounds_unpressed;
-  int rounds = 0, in_vain = settings.split ? most_in_vain + 1 : 0, left = 0;  // pairs before the first round
+  int rounds = 0, in_vain = settings.split ? most_in_vain + 1 : 0;
   swept(3 * worth, any);
-  if (!result.converged && !settings.split) {
-    left = pairs(pairs_before, pairs_before_bonded);
-    left -= swept(left, int(still_changing * count));
-  }
+  if (!result.converged && !settings.split) swept(pairs(pairs_before, pairs_before_bonded), int(still_changing * count));
   keep_least();
   while (in_vain <= most_in_vain && !result.converged && !missed_ && result.iterations < settings.max_iterations &&
          result.effort() < settings.most_effort) {
@@ -145,12 +139,6 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
     predict(problem, d, result);
     follow_pivots(problem, tolerance, d, result);
     if (result.singular_block >= 0 || (result.converged = result.residual <= tolerance)) return;
-    if (left > 0) {  // states were not settled after all
-      back_to_least();
-      swept(std::exchange(left, 0), none);
-      keep_least();
-      continue;
-    }
     take_forces(problem);
     swept(++rounds * pairs(pairs_between, pairs_between_bonded), none);
     if (!(result.sweep_change < 0.5 * before)) ++in_vain;
@@ -194,8 +182,7 @@ void OpenClose::solve_by_splitting(ContactProblem& problem, const OpenCloseSetti
       full_step(problem, d, result);
     if ((result.converged = result.residual <= tolerance)) return;
     d = reached;
-    problem.system.matrix.multiply(d, kd_.setZero(d.size()));
-    arrive(problem, d, result);  // whether a contact is missed there
+    go_to(problem, d, result);  // whether a contact is missed there
     closed_ = closed;
   }
 }
@@ -253,10 +240,10 @@ void OpenClose::forces_at_present(const ContactProblem& problem) {
 void OpenClose::take_forces(const ContactProblem& problem) {
   const auto& rows = problem.contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
-    normal_[k] = factored_closed_[k] ? normal_force(rows[k], k) : 0;
+    normal_[k] = aimed_closed_[k] ? normal_force(rows[k], k) : 0;
     const double limit = friction_limit(rows[k], normal_[k]);
     shear_[k] =
-        factored_stuck_[k] ? std::clamp(rows[k].ks * slide_[k], -limit, limit) : std::copysign(limit, shear_[k]);
+        aimed_stuck_[k] ? std::clamp(rows[k].ks * slide_[k], -limit, limit) : std::copysign(limit, shear_[k]);
   }
 }
 
@@ -273,9 +260,7 @@ double OpenClose::sweep(const ContactProblem& problem, const ContactSweeps::End&
   const auto progress = sweeps_.run(end, carry, normal_, shear_, d);
   result.sweeps += 2 * progress.pairs;
   result.sweep_change = progress.moved;
-  kd_.setZero(d.size());
-  problem.system.matrix.multiply(d, kd_);
-  arrive(problem, d, result);
+  go_to(problem, d, result);
   return result.residual;
 }
 

@@ -5,8 +5,10 @@
 // potential of springs and of friction at a frozen normal force, and by the splitting where a few of them do not do
 // (docs/theory.md, § 6 and 7). A solution is accepted only when the residual of the coupled law, friction at the present
 // normal force, is below its tolerance in every block: not when the states have stopped flipping.
+#include <Eigen/Dense>
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "step/contact_problem.h"
@@ -24,8 +26,8 @@ struct OpenCloseResult {
   int iterations = 0;   // solves with a factor
   int sweeps = 0;
   int splittings = 0;  // iterations
-  int pivots = 0;      // factors made with states that pivots found; among `iterations`
-  double effort() const { return iterations + sweep_effort * sweeps + splitting_effort * splittings; }  // factors
+  int pivots = 0;      // sets of states that pivots found, each as dear as a factor
+  double effort() const { return iterations + pivots + sweep_effort * sweeps + splitting_effort * splittings; }  // factors
   bool split = false;       // the splitting found it
   double sweep_change = 0;  // N, of the forces in the last pair
   double residual = 0;      // largest over blocks, of force scale
@@ -80,20 +82,23 @@ class OpenClose {
   bool contradicted(const ContactProblem& problem, size_t k) const;
   int contradictions(const ContactProblem& problem) const;
   void follow_pivots(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result);
+  void correct(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result);
   bool find_states(ContactProblem& problem, int most, Chosen& chosen, Vector& d);
   void choose(const ContactProblem& problem, size_t k, Chosen& chosen) const;
   void choose_slipping_beside(const ContactProblem& problem, Chosen& chosen) const;
   bool pivot(ContactProblem& problem, Chosen& chosen, Vector& d);
   struct Change;
   std::vector<Change> coupled_changes(const ContactProblem& problem) const;
-  static void solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, Vector& p);
+  class KnownPart;
+  void solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, Vector& p) const;
   void follow_friction(ContactProblem& problem, Vector& d);
   void full_step(ContactProblem& problem, Vector& d, OpenCloseResult& result);
   bool coupled_step(ContactProblem& problem, Vector& d, OpenCloseResult& result);
   // Takes `step` of p_: places, friction limits and the residual follow.
   void advance(const ContactProblem& problem, double step, Vector& d, OpenCloseResult& result);
-  // d was changed: the same.
+  // d was changed, kd_ with it: the same.
   void arrive(const ContactProblem& problem, const Vector& d, OpenCloseResult& result);
+  void go_to(const ContactProblem& problem, const Vector& d, OpenCloseResult& result);  // d was changed alone
   void multiply(const ContactProblem& problem);  // kp_ = K p_
   double contact_slope(const ContactRows& row, size_t k, double step, double gap_rate, double slide_rate,
                        double factor) const;
@@ -105,6 +110,12 @@ class OpenClose {
   std::vector<double> gap_, slide_, limit_;  // per contact, at the present d; limit_: frozen friction limit, N
   std::vector<double> pace_, last_change_;   // of the limits: part of a change that is taken; last change, N
   std::vector<char> closed_, stuck_, factored_closed_, factored_stuck_;
+  std::vector<char> aimed_closed_, aimed_stuck_;  // which d is sought with: the factored ones, but for contacts whose states pivots have found since
+  struct Pivoted {
+    std::vector<int> place;  // of each contact among these, or -1
+    Compliance compliance;   // m/N, as factored: of gap and slide of each under forces along them
+  };
+  std::optional<Pivoted> pivoted_;
   std::vector<double> normal_, shear_;  // N, forces of the sweeps
   ContactSweeps sweeps_;
   ContactSplitting splitting_;

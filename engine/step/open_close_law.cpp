@@ -44,6 +44,7 @@ void OpenClose::start(const ContactProblem& problem) {
   last_change_.assign(count, 0);
   for (auto* list : {&closed_, &stuck_}) list->resize(count);
   factored_closed_.clear();
+  pivoted_.reset();
   kd_.setZero(problem.system.force.size());
   for (size_t k = 0; k < count; ++k)
     limit_[k] = friction_limit(problem.contacts.rows()[k], problem.before(k).normal_force);

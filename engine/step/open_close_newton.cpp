@@ -15,12 +15,15 @@ constexpr double slope_part = 0.05;
 // Products with the matrix in one unsymmetric solve; each costs a back-substitution, a tenth of a factor.
 constexpr int most_products = 40;
 constexpr double least_step = 1.0 / 64;
-constexpr double coarse = 1e-2;  // what a solve of the coupled law leaves, as states change anyway
+constexpr double coarse = 3e-3;  // what a solve of the coupled law leaves, as states change anyway; with 1e-2 more of them are contradicted
 
 }  // namespace
 
 bool OpenClose::factor(ContactProblem& problem, OpenCloseResult& result) {
+  aimed_closed_ = closed_;
+  aimed_stuck_ = stuck_;
   if (result.iterations > 0 && closed_ == factored_closed_ && stuck_ == factored_stuck_) return true;
+  pivoted_.reset();
   const int singular = problem.factor_with(closed_, stuck_);
   result.singular_block = singular < 0 ? -1 : problem.blocks[singular];
   factored_closed_ = closed_;
@@ -44,6 +47,11 @@ void OpenClose::arrive(const ContactProblem& problem, const Vector& d, OpenClose
   const auto& rows = problem.contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) limit_[k] = friction_limit(rows[k], normal_force(rows[k], k));
   judge_residual(problem, 0, result);
+}
+
+void OpenClose::go_to(const ContactProblem& problem, const Vector& d, OpenCloseResult& result) {
+  problem.system.matrix.multiply(d, kd_.setZero(d.size()));
+  arrive(problem, d, result);
 }
 
 // A column of what the coupled law adds to the factored matrix, u vᵀ: force along a contact's normal or shear row, N/m,
@@ -75,9 +83,7 @@ void OpenClose::predict(ContactProblem& problem, Vector& d, OpenCloseResult& res
   }
   problem.solver.solve(r_, d);
   follow_friction(problem, d);
-  kd_.setZero(d.size());
-  problem.system.matrix.multiply(d, kd_);
-  arrive(problem, d, result);
+  go_to(problem, d, result);
 }
 
 // One Newton step on the convex potential with friction limits frozen, then the limits follow the normal forces. A
@@ -116,17 +122,48 @@ std::vector<OpenClose::Change> OpenClose::coupled_changes(const ContactProblem& 
   return changes;
 }
 
+// 1 + VᵀM⁻¹U of the contacts that pivots have moved, among those that differ from M, factored. What they do to each other is known from the
+// pivots; where they are as stiff as M is not, and so much of it that GMRES would not end.
+class OpenClose::KnownPart {
+ public:
+  KnownPart(const OpenClose& own, const ContactProblem& problem, const std::vector<Change>& changes) {
+    if (!own.pivoted_) return;
+    std::vector<Eigen::Index> motions, forces;
+    for (size_t k = 0; k < changes.size(); ++k) {
+      const int place = own.pivoted_->place[size_t(changes[k].row - problem.contacts.rows().data())];
+      if (place < 0) continue;
+      which_.push_back(Eigen::Index(k));
+      motions.push_back(2 * place + changes[k].shear_motion);
+      forces.push_back(2 * place + changes[k].shear_force);
+    }
+    Eigen::MatrixXd part = own.pivoted_->compliance.matrix()(motions, forces);
+    for (size_t b = 0; b < which_.size(); ++b) part.col(Eigen::Index(b)) *= changes[size_t(which_[b])].stiffness;
+    part.diagonal().array() += 1;
+    if (!which_.empty()) factored_.compute(part);
+  }
+  void solve(Vector& y) const {
+    if (!which_.empty()) y(which_) = factored_.solve(y(which_)).eval();
+  }
+
+ private:
+  std::vector<Eigen::Index> which_;  // of the changes
+  Eigen::PartialPivLU<Eigen::MatrixXd> factored_;
+};
+
 // (M + U Vᵀ) p = r with the factored M, by the motions y = Vᵀp of the contacts that differ from it alone:
-// (1 + VᵀM⁻¹U) y = VᵀM⁻¹r, unsymmetric, so by GMRES; then p = M⁻¹(r - U y).
-void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, Vector& p) {
+// (1 + VᵀM⁻¹U) y = VᵀM⁻¹r, unsymmetric, so by GMRES, from the right of which stands what is known of it; then p = M⁻¹(r - U y).
+void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, Vector& p) const {
   if (changes.empty()) return problem.solver.solve(r, p);
   const auto count = Eigen::Index(changes.size());
   const auto motions = [&](const Vector& x, Vector& y) {
     y.resize(count);
     for (Eigen::Index k = 0; k < count; ++k) y[k] = changes[size_t(k)].motion(x);
   };
-  Vector force, x, right, y;
-  const auto apply = [&](const Vector& from, Vector& to) {
+  const KnownPart known(*this, problem, changes);
+  Vector force, x, right, y, from;
+  const auto apply = [&](const Vector& of, Vector& to) {
+    from = of;
+    known.solve(from);
     force.setZero(r.size());
     for (Eigen::Index k = 0; k < count; ++k) changes[size_t(k)].add_force(from[k], force);
     problem.solver.solve_coarsely(force, x);
@@ -136,12 +173,13 @@ void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>
   problem.solver.solve_coarsely(r, x);
   motions(x, right);
   gmres(apply, right, coarse, most_products, y);
+  known.solve(y);
   force = r;
   for (Eigen::Index k = 0; k < count; ++k) changes[size_t(k)].add_force(-y[k], force);
   problem.solver.solve(force, p);
 }
 
-// From the solution with frozen friction at what slips to the one in which it follows the normal force.
+// From the solution with the aimed states and frozen friction at what slips to the one in which it follows the normal force.
 void OpenClose::follow_friction(ContactProblem& problem, Vector& d) {
   const auto& rows = problem.contacts.rows();
   const double f = problem.contacts.factor();
@@ -149,7 +187,9 @@ void OpenClose::follow_friction(ContactProblem& problem, Vector& d) {
   r_.setZero(d.size());
   for (size_t k = 0; k < rows.size(); ++k) {
     const ContactRows& row = rows[k];
-    if (!closed_[k] || stuck_[k] || !(row.friction > 0)) continue;
+    if (const int more = aimed_closed_[k] - factored_closed_[k]) changes.push_back({&row, false, false, more * f * row.kn});
+    if (const int more = aimed_stuck_[k] - factored_stuck_[k]) changes.push_back({&row, true, true, more * f * row.ks});
+    if (!aimed_closed_[k] || aimed_stuck_[k] || !(row.friction > 0)) continue;
     const double way = shear_[k] < 0 ? -1 : 1;
     const double normal = -row.kn * (row.gap0 + f * row.along(row.normal_i, row.normal_j, d));
     row.add(row.shear_i, row.shear_j, shear_[k] - way * (row.friction * normal + row.cohesion), r_);

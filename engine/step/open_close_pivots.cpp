@@ -2,6 +2,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "step/contact_pivots.h"
 #include "step/open_close.h"
@@ -11,10 +12,11 @@ namespace talus {
 namespace {
 
 // Measured on the pile of a cast blast, 2362 blocks: with 60 to 100 contacts at a time and six tries a third dearer.
-constexpr int tries = 3;                       // factors with states that pivots found
-constexpr int least_many = 24, many_part = 60;  // contradicted at first: more than these, and one pressed contact in so many, are too many
+constexpr int tries = 3;                       // sets of states that pivots find
+constexpr int least_many = 24, many_part = 70;  // contradicted at first: more than these, and one pressed contact in so many, are too many
 constexpr int growth = 3;                      // times as many, with those that join them
 constexpr int most_corrections = 4;                   // Newton's steps where states are right: each takes a hundredth of the residual
+constexpr double least_gain = 0.1;                    // a step that leaves more of it does not get on
 constexpr double slack = 1e-9;                 // of a friction limit, which equality with is no contradiction
 
 SparseColumn column(const ContactRows& row, const Row& of_i, const Row& of_j) {
@@ -42,14 +44,14 @@ struct OpenClose::Chosen {
   bool can_be = true;  // found by pivots, for which friction has to have a bound
 };
 
-// Whether the present d contradicts the state that the contact was factored with.
+// Whether the present d contradicts the state that it was sought with for the contact.
 bool OpenClose::contradicted(const ContactProblem& problem, size_t k) const {
   const ContactRows& row = problem.contacts.rows()[k];
   if (!row.near) return false;
-  if (closed_[k] != factored_closed_[k]) return true;
+  if (closed_[k] != aimed_closed_[k]) return true;
   const double limit = friction_limit(row, normal_force(row, k)), shear = row.ks * slide_[k];
   if (limit == 0) return false;
-  return factored_stuck_[k] ? std::abs(shear) > limit * (1 + slack) : std::copysign(1, shear_[k]) * shear < limit * (1 - slack);
+  return aimed_stuck_[k] ? std::abs(shear) > limit * (1 + slack) : std::copysign(1, shear_[k]) * shear < limit * (1 - slack);
 }
 
 int OpenClose::contradictions(const ContactProblem& problem) const {
@@ -58,29 +60,46 @@ int OpenClose::contradictions(const ContactProblem& problem) const {
   return count;
 }
 
+// Newton's steps where states are right, as long as they get on: what pivots have let go or caught, a thousand times stiffer than what is
+// around, may be too much for solves in single precision with the factor of before.
+void OpenClose::correct(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result) {
+  double before = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < most_corrections && result.residual > tolerance && result.residual < least_gain * before; ++step) {
+    before = result.residual;
+    full_step(problem, d, result);
+  }
+}
+
 // After predict(). Where it does not lead on, d is left where it was.
 void OpenClose::follow_pivots(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result) {
   const int closed = int(std::count(closed_.begin(), closed_.end(), 1)), many = std::max(least_many, closed / many_part);
   Chosen chosen;
+  pivoted_.reset();
   for (int k = 0; result.residual > tolerance; ++k) {
     int wrong = contradictions(problem);
     if (wrong == 0) {
-      for (int step = 0; step < most_corrections && result.residual > tolerance; ++step) full_step(problem, d, result);
+      correct(problem, tolerance, d, result);
       wrong = contradictions(problem);
+      if (wrong == 0 && result.residual > tolerance && (aimed_closed_ != factored_closed_ || aimed_stuck_ != factored_stuck_)) {
+        closed_ = aimed_closed_;
+        stuck_ = aimed_stuck_;
+        if (!factor(problem, result)) return;
+        ++result.iterations;
+        predict(problem, d, result);
+        continue;
+      }
     }
-    if (wrong == 0 || wrong > many || k == tries) return;
+    if (wrong == 0 || wrong > many || k >= tries) return;
     const Vector before = d;
     const std::vector<double> shear = shear_;
     if (!find_states(problem, growth * many, chosen, d)) {
       shear_ = shear;
       d = before;
-      problem.system.matrix.multiply(d, kd_.setZero(d.size()));
-      return arrive(problem, d, result);
+      return go_to(problem, d, result);
     }
-    if (!factor(problem, result)) return;
-    ++result.iterations;
     ++result.pivots;
-    predict(problem, d, result);
+    follow_friction(problem, d);
+    go_to(problem, d, result);
   }
 }
 
@@ -91,11 +110,11 @@ bool OpenClose::find_states(ContactProblem& problem, int most, Chosen& chosen, V
   const auto& rows = problem.contacts.rows();
   const bool again = !chosen.rows.empty();
   for (size_t k = 0; k < rows.size(); ++k)
-    if (!factored_stuck_[k]) shear_[k] = std::copysign(friction_limit(rows[k], normal_force(rows[k], k)), shear_[k]);
+    if (!aimed_stuck_[k]) shear_[k] = std::copysign(friction_limit(rows[k], normal_force(rows[k], k)), shear_[k]);
   for (size_t c = 0; c < chosen.rows.size(); ++c) {
     const auto k = size_t(chosen.rows[c]);
     chosen.contacts[c].closed = closed_[k];
-    chosen.contacts[c].stuck = factored_stuck_[k];
+    chosen.contacts[c].stuck = aimed_stuck_[k];
     chosen.contacts[c].shear = shear_[k];
   }
   const auto choose_contradicted = [&] {
@@ -112,13 +131,11 @@ bool OpenClose::find_states(ContactProblem& problem, int most, Chosen& chosen, V
     evaluate(problem, d);
   } while (choose_contradicted());
   if (!chosen.can_be) return false;
-  closed_ = factored_closed_;
-  stuck_ = factored_stuck_;
   for (size_t c = 0; c < chosen.rows.size(); ++c) {
     const auto k = size_t(chosen.rows[c]);
     shear_[k] = chosen.contacts[c].shear;
-    closed_[k] = chosen.contacts[c].closed;
-    stuck_[k] = chosen.contacts[c].stuck;
+    aimed_closed_[k] = chosen.contacts[c].closed;
+    aimed_stuck_[k] = chosen.contacts[c].stuck;
   }
   return true;
 }
@@ -130,7 +147,7 @@ void OpenClose::choose(const ContactProblem& problem, size_t k, Chosen& chosen) 
   chosen.is_one[k] = 1;
   chosen.rows.push_back(int(k));
   chosen.contacts.push_back({.gap0 = 0, .slide0 = 0, .kn = row.kn, .ks = row.ks, .friction = row.friction, .cohesion = row.cohesion,
-                             .closed = bool(closed_[k]), .stuck = bool(factored_stuck_[k]), .normal = 0, .shear = shear_[k]});
+                             .closed = bool(closed_[k]), .stuck = bool(aimed_stuck_[k]), .normal = 0, .shear = shear_[k]});
 }
 
 void OpenClose::choose_slipping_beside(const ContactProblem& problem, Chosen& chosen) const {
@@ -140,7 +157,7 @@ void OpenClose::choose_slipping_beside(const ContactProblem& problem, Chosen& ch
     for (const int block : {rows[size_t(k)].i, rows[size_t(k)].j})
       if (problem.dofs[size_t(block)] > 0) touched[size_t(block)] = 1;
   for (size_t k = 0; k < rows.size(); ++k)
-    if (closed_[k] && !factored_stuck_[k] && bounded(rows[k]) && (touched[size_t(rows[k].i)] || touched[size_t(rows[k].j)])) choose(problem, k, chosen);
+    if (closed_[k] && !aimed_stuck_[k] && bounded(rows[k]) && (touched[size_t(rows[k].i)] || touched[size_t(rows[k].j)])) choose(problem, k, chosen);
 }
 
 // The forces of the chosen contacts that meet their law, and d with them.
@@ -157,20 +174,25 @@ bool OpenClose::pivot(ContactProblem& problem, Chosen& chosen, Vector& d) {
   problem.solver.solve(r_, d);
 
   const auto count = Eigen::Index(chosen.rows.size());
-  std::vector<SparseColumn> columns;
+  if (!pivoted_) pivoted_.emplace(std::vector<int>(rows.size(), -1), problem.solver.compliance());
+  std::vector<SparseColumn> columns;  // of those that joined
   Vector held(2 * count), spring(2 * count);  // m, gap and slide; N/m: as factored
   for (Eigen::Index c = 0; c < count; ++c) {
     const auto k = size_t(chosen.rows[size_t(c)]);
     const ContactRows& row = rows[k];
-    columns.push_back(column(row, row.normal_i, row.normal_j));
-    columns.push_back(column(row, row.shear_i, row.shear_j));
+    if (int& place = pivoted_->place[k]; place < 0) {
+      place = int(c);
+      columns.push_back(column(row, row.normal_i, row.normal_j));
+      columns.push_back(column(row, row.shear_i, row.shear_j));
+    }
     held[2 * c] = row.gap0 + f * row.along(row.normal_i, row.normal_j, d);
     held[2 * c + 1] = row.slide0 + f * row.along(row.shear_i, row.shear_j, d);
     spring[2 * c] = factored_closed_[k] ? row.kn : 0;
     spring[2 * c + 1] = factored_stuck_[k] ? row.ks : 0;
   }
   // The factor has springs D in the contacts' place: x = held + W (F + D x) under forces F of their own.
-  const Eigen::MatrixXd with_springs = f * problem.solver.compliance_of(columns);
+  pivoted_->compliance.add(columns);
+  const Eigen::MatrixXd with_springs = f * pivoted_->compliance.matrix();
   Eigen::MatrixXd without = -with_springs * spring.asDiagonal();
   without.diagonal().array() += 1;
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(without);

@@ -27,7 +27,7 @@ return {
       .. " same by name), norm (√(J/m))}; computed when it is read. nil where no blocks are bonded or `numerics.recovery` is off" },
     { "sim.totals",
       "{steps, steps_at_rest (nothing moved, nothing was solved), steps_by_sweeps (without a factor), islands {at_rest, single"
-        .. " (a block alone), by_sweeps, with_factor, asleep}, iterations, sweeps (over the contacts), splittings (iterations), pivots (factors with states that pivots found), cuts, factorisations, largest_iterations, largest_residual, failures (bonds), largest_utilisation (in static load steps: by how much a strength was passed), seconds}; seconds: CPU time by part" },
+        .. " (a block alone), by_sweeps, with_factor, asleep}, iterations, sweeps (over the contacts), splittings (iterations), pivots (sets of states that pivots found), cuts, factorisations, largest_iterations, largest_residual, failures (bonds), largest_utilisation (in static load steps: by how much a strength was passed), seconds}; seconds: CPU time by part" },
     { "sim.cracks", "cracks of bonds that have failed and hang together: { {joints, length, tension, shear}, … } with the lengths of"
         .. " all in `tension` and `shear` (m)" },
     { "sim.fragments", "what hangs together by intact bonds: { {blocks (how many), first (block), region, held (whether it is at a support"
