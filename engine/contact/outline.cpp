@@ -36,25 +36,26 @@ double largest_normal_stress(const Model& model, int block) {
   return (std::abs(s[0] + s[1]) + std::sqrt((s[0] - s[1]) * (s[0] - s[1]) + 4 * s[2] * s[2])) / 2;
 }
 
+// What is asked of each block: stress, Pa, and extent, m.
+template <class Stress, class Extent>
+double flush_by(const Model& model, int a, int b, const Stress& stress_in, const Extent& extent_of) {
+  const double least = std::min(model.shapes[size_t(a)].length, model.shapes[size_t(b)].length);
+  const double stress = std::max(stress_in(a), stress_in(b));
+  double give = 0;
+  for (const int block : {a, b})
+    if (stress > 0 && strains(model.shapes[size_t(block)])) give = std::max(give, 2 * extent_of(block) * stress / model.material(block).young);
+  return flush_part * least + std::min(give, passing_tolerance * least);
+}
+
 }  // namespace
 
 double largest_flush_distance(const Model& model, int a, int b) {
   constexpr double widest = 4;  // radii: of a block that is stretched to twice its length
-  const double least = std::min(model.shapes[size_t(a)].length, model.shapes[size_t(b)].length);
-  const double stress = std::max(largest_normal_stress(model, a), largest_normal_stress(model, b));
-  double give = 0;
-  for (const int block : {a, b})
-    if (stress > 0 && strains(model.shapes[size_t(block)])) give = std::max(give, 2 * widest * model.shapes[size_t(block)].radius * stress / model.material(block).young);
-  return flush_part * least + std::min(give, passing_tolerance * least);
+  return flush_by(model, a, b, [&](int block) { return largest_normal_stress(model, block); }, [&](int block) { return widest * model.shapes[size_t(block)].radius; });
 }
 
 double flush_distance(const Model& model, int a, int b, const Vec2& normal) {
-  const double least = std::min(model.shapes[size_t(a)].length, model.shapes[size_t(b)].length);
-  const double stress = std::max(normal_stress(model, a, normal), normal_stress(model, b, normal));
-  double give = 0;
-  for (const int block : {a, b})
-    if (stress > 0 && strains(model.shapes[size_t(block)])) give = std::max(give, 2 * extent(model, block, normal) * stress / model.material(block).young);
-  return flush_part * least + std::min(give, passing_tolerance * least);
+  return flush_by(model, a, b, [&](int block) { return normal_stress(model, block, normal); }, [&](int block) { return extent(model, block, normal); });
 }
 
 }  // namespace talus

@@ -44,7 +44,7 @@ struct OpenClose::Chosen {
   bool can_be = true;  // found by pivots, for which friction has to have a bound
 };
 
-// Whether the present d contradicts the state that it was sought with for the contact.
+// Whether the present d contradicts the state that is aimed at for the contact.
 bool OpenClose::contradicted(const ContactProblem& problem, size_t k) const {
   const ContactRows& row = problem.contacts.rows()[k];
   if (!row.near) return false;
@@ -103,7 +103,7 @@ void OpenClose::follow_pivots(ContactProblem& problem, double tolerance, Vector&
   }
 }
 
-// States for the next factor: of the contradicted contacts by pivots, all others as they are. What the outcome contradicts joins them,
+// States to aim at: of the contradicted contacts by pivots, all others as they are. What the outcome contradicts joins them,
 // until there is none. Friction that slips elsewhere is frozen meanwhile; where it then follows and contradicts them, it is sought with them
 // the next time. Whether pivots end, with at most so many.
 bool OpenClose::find_states(ContactProblem& problem, int most, Chosen& chosen, Vector& d) {
