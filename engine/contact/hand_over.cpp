@@ -28,6 +28,7 @@ void carry(const Contact& from, Contact& to) {
   // The force goes on, and what has slid in the search for equilibrium.
   to.stretch = from.stretch - from.shear_force / from.shear_stiffness + from.shear_force / to.shear_stiffness;
   to.slip = from.slip;
+  to.slid = from.slid;
   to.offset = from.offset;
   to.height = from.height;
   to.slope = from.slope;

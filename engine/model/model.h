@@ -218,6 +218,7 @@ struct Contact {
   bool lies = false;                  // at rest, where its gap is by rounding what its force says: then that is its gap
   double stretch = 0;                 // m, elastic part of the sliding: shear force / shear stiffness; until end_sliding() all of it
   double slip = 0;                    // m, plastic part, accumulated along the edge
+  double slid = 0;                    // m, of it in the last step
   double normal_force = 0, shear_force = 0;  // N; normal positive when pressed together
   double may_part = -1;               // m/s, the most at which what presses here may part, by its restitution; < 0: no bound yet
   bool parts = false;                 // has parted since that bound was set
@@ -231,7 +232,8 @@ struct Contact {
   // its start, whichever way the search for equilibrium takes (backward Euler), or else of each solve of the search.
   void end_sliding() {
     const double held = shear_force / shear_stiffness;
-    slip += stretch - held;
+    slid = stretch - held;
+    slip += slid;
     stretch = held;
   }
   double stored() const { return normal_force * normal_force / (2 * normal_stiffness) + shear_force * shear_force / (2 * shear_stiffness); }  // J/m

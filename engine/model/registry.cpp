@@ -228,7 +228,7 @@ void visit_state(Strength& strength, StateVisitor& v) {
 
 void visit_state(Contact& contact, StateVisitor& v) {
   // coheres: begins anew with each search.
-  [[maybe_unused]] auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset, height, slope, lies, stretch, slip,
+  [[maybe_unused]] auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset, height, slope, lies, stretch, slip, slid,
                           normal_force, shear_force, may_part, parts, lifted, parting, deeper, load_normal, load_shear, load_slip, coheres, global_vertex, global_edge] = contact;
   v("i", i);
   v("vertex", vertex);
@@ -248,6 +248,7 @@ void visit_state(Contact& contact, StateVisitor& v) {
   v("lies", lies);
   v("stretch", stretch);
   v("slip", slip);
+  v("slid", slid);
   v("normal_force", normal_force);
   v("shear_force", shear_force);
   v("may_part", may_part);

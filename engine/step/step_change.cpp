@@ -51,6 +51,9 @@ void move_whole(const BlockShape& shape, double seconds, const Frame& carried, c
 // Of a block's length; the smaller one where a contact slides, which would fall behind. What is pressed and moves no farther than that against what carries it
 // as the step changes, as all do that it presses on, is as good as at rest: what its contacts hold counts more than where it flies.
 constexpr double as_at_rest = 1e-4, as_at_rest_sliding = 1e-6;
+// Of the shorter length, by which a contact slides in what the step gets longer or shorter by. What has come to stand at y goes to and fro about it at X,
+// and contacts of it at the limit of friction give way by no more than their springs do.
+constexpr double as_stuck = 1e-8;
 constexpr double one_point = 1e-3;  // of a block's length: corners of bonded blocks that a fixity holds at one point come no farther apart
 
 // What holds parts of a set of blocks, in each direction: the ground, or what moves.
@@ -131,7 +134,7 @@ class Carried {
       if (c.normal_force <= 0) continue;
       for (const int b : {c.i, c.j}) {
         pressed[body(b)] = 1;
-        if (c.state == ContactState::slip) slides[body(b)] = 1;
+        if (slips(c)) slides[body(b)] = 1;
       }
       if (moves(c.i) && moves(c.j)) heaps.join(int(body(c.i)), int(body(c.j)));
     }
@@ -212,6 +215,11 @@ class Carried {
     for (size_t b = 0; b < set_of.size(); ++b)
       if (!moves(int(b)) || !asked(set_of[b])) set_of[b] = -1;
     return bodies_of(model_, model_.blocks, set_of, count_);
+  }
+
+  bool slips(const Contact& c) const {
+    const double length = std::min(model_.shapes[size_t(c.i)].length, model_.shapes[size_t(c.j)].length);
+    return c.state == ContactState::slip && std::abs(c.slid * (after_ - before_)) > as_stuck * length * before_;
   }
 
   bool slow(int block, const Frame& carried, double part) const {

@@ -230,10 +230,11 @@ TEST(Ledger, AStepOfAnotherLengthKeepsWhatPressedContactsHold) {
   simulation.step();
   Model& model = simulation.model;
   ASSERT_GT(model.contacts[0].normal_force, 0);
-  const auto moved = [&](double velocity, double force, ContactState state = ContactState::stick) {
+  const auto moved = [&](double velocity, double force, ContactState state = ContactState::stick, double slid = 0) {
     for (Contact& c : model.contacts) {
       c.normal_force = force;
       c.state = state;
+      c.slid = slid;
     }
     model.blocks[0].velocity = {0, velocity, velocity};
     const BlockState kept = keep_stored(model, 0.01, 0.02)[0];
@@ -243,8 +244,9 @@ TEST(Ledger, AStepOfAnotherLengthKeepsWhatPressedContactsHold) {
   EXPECT_NEAR(moved(1e-5, 1).second, -1e-7, 1e-20);
   EXPECT_NEAR(moved(1e-3, 1).first, -1e-5, 1e-18);
   EXPECT_EQ(moved(1e-1, 1).first, 0);
-  EXPECT_NEAR(moved(1e-5, 1, ContactState::slip).first, -1e-7, 1e-20);
-  EXPECT_EQ(moved(1e-3, 1, ContactState::slip).first, 0);
+  EXPECT_NEAR(moved(1e-5, 1, ContactState::slip, 1e-7).first, -1e-7, 1e-20);
+  EXPECT_EQ(moved(1e-3, 1, ContactState::slip, 1e-5).first, 0);
+  EXPECT_NEAR(moved(1e-3, 1, ContactState::slip, -1e-9).first, -1e-5, 1e-18);  // at the limit of friction, but it has come to stand
   EXPECT_EQ(moved(1e-5, 0).first, 0);
 }
 
