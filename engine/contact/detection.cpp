@@ -249,7 +249,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   if (!seen.empty()) forget_last();  // it was of other velocities
   drop_points(model, meeting, surface_.bonded, now);
   sort_by_key(now);
-  drop_hidden(model, surface_, now);
+  drop_hidden(model, surface_, faces_, now);
   ended_ = carry_over(model, dt, cracked, now);
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());

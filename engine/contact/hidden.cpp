@@ -14,7 +14,8 @@ namespace {
 // Contacts of all pairs in order of their corners, by the outlines of bodies.
 class Hiding {
  public:
-  Hiding(const Model& model, const Surface& surface, const std::vector<Contact>& found) : model_(model), outline_(model, surface), found_(found) {}
+  Hiding(const Model& model, const Surface& surface, const Faces& faces, const std::vector<Contact>& found)
+      : model_(model), outline_(model, surface), faces_(faces), found_(found) {}
 
   // Whether the corner is inside two sides of a body that share a convex corner, but belong to different blocks, and less deep in the other: it rests on the
   // one it entered last. By so much that both blocks, whose corners lie a bond's strain apart, would say so.
@@ -36,7 +37,7 @@ class Hiding {
   bool under_a_face(const Contact& c) const {
     const Vec2 &at = outline_.place(c.global_vertex), &from = outline_.place(c.global_edge), along = outline_.place(outline_.last({c.j, c.edge})) - from;
     const Vec2 rate = model_.velocity_at(c.i, at) - model_.velocity_at(c.j, at);
-    const double length = along.norm(), flush = flush_distance(model_, c.i, c.j, along / length), closing = cross(along, rate) / length;  // m/s
+    const double length = along.norm(), flush = flush_distance(model_, faces_, c.i, c.j, along / length), closing = cross(along, rate) / length;  // m/s
     if (c.kind == ContactKind::edge_edge && 2 * c.length > flush) return false;  // faces that press each other, as of a crack with a kink
     const double s = along.dot(at - from) / length + (c.gap > 0 && closing > 0 ? along.dot(rate) / length * c.gap / closing : 0);  // where it comes to the edge's line
     if (s > flush && s < length - flush) return false;
@@ -45,7 +46,7 @@ class Hiding {
       const auto lies_under = [&](const Contact& k, double up) {  // the surface is the edge of k, its normal up times outwards
         if (std::abs(k.gap) > flush) return false;
         const Vec2 normal = up * edge_normal(model_, k);
-        if (std::abs(normal.dot(along)) < parallel_sine * length || normal.dot(outline_.place(below) - outline_.place(k.global_edge)) > flush_distance(model_, k.i, k.j, normal)) return false;
+        if (std::abs(normal.dot(along)) < parallel_sine * length || normal.dot(outline_.place(below) - outline_.place(k.global_edge)) > flush_distance(model_, faces_, k.i, k.j, normal)) return false;
         const auto leads_down = [&](const Vec2& way) { return normal.dot(way) <= parallel_sine * way.norm(); };
         return leads_down(outline_.ahead(below)) && leads_down(outline_.behind(below));
       };
@@ -80,14 +81,15 @@ class Hiding {
 
   const Model& model_;
   const Outline outline_;
+  const Faces& faces_;
   const std::vector<Contact>& found_;
   mutable std::vector<std::pair<int, const Contact*>> by_edge_;  // where it has been asked for
 };
 
 }  // namespace
 
-void drop_hidden(const Model& model, const Surface& surface, std::vector<Contact>& found) {
-  const Hiding hiding(model, surface, found);
+void drop_hidden(const Model& model, const Surface& surface, const Faces& faces, std::vector<Contact>& found) {
+  const Hiding hiding(model, surface, faces, found);
   std::vector<char> hidden;
   for (const Contact& c : found) hidden.push_back(hiding.deeper_than_beside(c) || hiding.under_a_face(c));
   size_t at = 0;

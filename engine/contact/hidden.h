@@ -8,6 +8,6 @@
 namespace talus {
 
 // Drops those of all pairs, in order of their corners, that a side of the body beside them hides, or a face above them.
-void drop_hidden(const Model& model, const Surface& surface, std::vector<Contact>& found);
+void drop_hidden(const Model& model, const Surface& surface, const Faces& faces, std::vector<Contact>& found);
 
 }  // namespace talus

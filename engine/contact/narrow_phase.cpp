@@ -31,6 +31,10 @@ double place_met(const Face& edge, double gap, double s, const Vec2& way) {
 
 // Where a vertex is inside two edges that share a convex corner it rests on the one it entered last.
 void drop_deeper(const NearPair& pair, int block, std::vector<Candidate>& candidates) {
+  if (candidates.size() < 2) {
+    std::erase_if(candidates, [](const Candidate& c) { return !c.on; });
+    return;
+  }
   std::vector<Candidate> kept;
   for (const Candidate& c : candidates) {
     const bool deeper = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
@@ -47,6 +51,7 @@ void drop_deeper(const NearPair& pair, int block, std::vector<Candidate>& candid
 // Vertices of block `bv` on edges of block `be`.
 void vertices_on_edges(const NearPair& pair, const Model& model, int bv, int be, std::vector<Contact>& found) {
   std::vector<Candidate> candidates;
+  const double out_of_reach = pair.out_of_reach(be);
   for (int v = 0; v < model.vertex_count(bv); ++v) {
     if (!pair.exposed(bv, v)) continue;
     const Vec2 p = pair.vertex(bv, v);
@@ -56,6 +61,7 @@ void vertices_on_edges(const NearPair& pair, const Model& model, int bv, int be,
       if (!pair.free(be, e)) continue;
       const Face& edge = pair.edge(be, e);
       const double gap = edge.gap(p);
+      if (gap > out_of_reach) break;
       if (gap > pair.reach() || gap < pair.deepest()) continue;
       double s = edge.position(p);
       if (pair.fast() && gap > 0) {

@@ -32,14 +32,13 @@ class NearPair {
   NearPair(const Model& model, const Surface& surface, const Faces& faces, int i, int j, double way, double dt)
       : model_(model),
         surface_(surface),
-        outline_(model, surface),
         faces_(faces),
         i_(i),
         j_(j),
         dt_(dt),
         judged_(dt + judged_ahead(model.scene.numerics, dt)),
         least_(std::min(model.shapes[i].length, model.shapes[j].length)),
-        flush_(largest_flush_distance(model, i, j)),
+        flush_(largest_flush_distance(model, faces, i, j)),
         way_(way),
         reach_(search_margin * least_ + way),
         fast_(way > beside()),
@@ -62,16 +61,15 @@ class NearPair {
 
   // The sides of the outline that leave and reach the corner `v` of `block`, and their directions away from it, of the whole body there: a node
   // on the flat side of a mesh is no corner, though the block is.
-  const OutlineEdge& leaving(int block, int v) const { return outline_.leaving(global(block, v)); }
-  const OutlineEdge& arriving(int block, int v) const { return outline_.arriving(global(block, v)); }
-  Vec2 ahead(int block, int v) const { return outline_.ahead(global(block, v)); }
-  Vec2 behind(int block, int v) const { return outline_.behind(global(block, v)); }
+  const OutlineEdge& leaving(int block, int v) const { return surface_.leaving[size_t(global(block, v))]; }
+  const OutlineEdge& arriving(int block, int v) const { return surface_.arriving[size_t(global(block, v))]; }
+  const Corner& corner(int block, int v) const { return faces_.corner(global(block, v)); }
   int global(int block, int v) const { return model_.shapes[block].vertex_begin + v; }
 
   // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both sides of the body lead away, and the body is on that side of them:
   // sides in line lead away on either. In a valley they stand above it.
   bool can_rest(int block, int v, const Vec2& n) const {
-    const Vec2 a = ahead(block, v).normalized(), b = behind(block, v).normalized(), out = perp(b - a);
+    const Vec2 &a = corner(block, v).ahead, &b = corner(block, v).behind, out = perp(b - a);
     return a.dot(n) >= -parallel_sine && b.dot(n) >= -parallel_sine && out.dot(n) <= parallel_sine * out.norm() && !valley(block, v);
   }
   // Or will, as the blocks turn: it is above the face now.
@@ -110,7 +108,7 @@ class NearPair {
   // Whether what is this far from a line of that normal, above or below, lies in it.
   bool flush(const Vec2& normal, double gap) const {
     const double far = std::abs(gap);
-    return far <= flush_part * least_ || (far <= flush_ && far <= flush_distance(model_, i_, j_, normal));
+    return far <= flush_part * least_ || (far <= flush_ && far <= flush_distance(model_, faces_, i_, j_, normal));
   }
   double noise(int v) const { return 32 * std::numeric_limits<double>::epsilon() * model_.size_of(vertex(i_, v)); }
   double beside() const { return beside_part * least_; }
@@ -128,7 +126,7 @@ class NearPair {
     const double approach = std::abs(face.normal.dot(way)), slide = std::abs(face.along.dot(way));
     if (approach > std::max(flush_part * least_, grazing_slope * slide) || !flush(face.normal, face.gap(p))) return false;
     if (!can_rest(bv, v, face.normal)) return false;
-    return lies_along(ahead(bv, v), face.normal) || lies_along(behind(bv, v), face.normal);
+    return lies_along(corner(bv, v).ahead, face.normal) || lies_along(corner(bv, v).behind, face.normal);
   }
 
   // Whether corner `v` of `bv`, at the place `s` along edge `e` of `be`, passes its end flush with the face beyond it: at
@@ -166,25 +164,28 @@ class NearPair {
     return before_a_face(i_, j_) || before_a_face(j_, i_);
   }
 
+  // m, from a face of `block` outwards: what is farther in front of one than this comes to none of them. What is on a face, or beyond its end by what counts as
+  // on it, is in front of no other face of a convex block by more than of that one and as much again.
+  double out_of_reach(int block) const { return fast() || !plain(block) ? std::numeric_limits<double>::infinity() : reach_ + slack(0, -deepest()) + meeting(); }
+
   bool plain(int block) const { return surface_.whole[size_t(block)] && surface_.convex[size_t(block)]; }
   bool together(int a, int b) const { return surface_.together(a, b); }
   bool both_convex() const { return surface_.convex[size_t(i_)] && surface_.convex[size_t(j_)]; }
 
   // Whether the outline turns inwards at corner `v` of `block`; outwards. Inwards also by little, where what goes by would come to lie under the face beyond.
   bool inner(int block, int v) const {
-    const double turn = outline_.turn(global(block, v));
+    const double turn = corner(block, v).turn;
     return turn < -parallel_sine || -turn * way_ > level_part * least_ || notch(block, v) || valley(block, v);
   }
   bool own(int block, int v) const { return leaving(block, v).block == block && arriving(block, v).block == block; }  // and no other of its body
-  bool notch(int block, int v) const { return own(block, v) && outline_.turn(global(block, v)) < -closed_crack && ahead(block, v).dot(behind(block, v)) > 0; }
+  bool notch(int block, int v) const { return own(block, v) && corner(block, v).turn < -closed_crack && corner(block, v).ahead.dot(corner(block, v).behind) > 0; }
   // By however little, where it is more than what lies on its sides is pressed in. Of a block of its own: a body's sides bend as it deforms.
   bool valley(int block, int v) const {
-    const int corner = global(block, v);
-    if (!(outline_.turn(corner) < 0) || !own(block, v)) return false;
-    return -outline_.turn(corner) * std::sqrt(std::min(ahead(block, v).squaredNorm(), behind(block, v).squaredNorm())) > level_part * least_;
+    const Corner& at = corner(block, v);
+    return at.turn < 0 && own(block, v) && -at.turn * at.shorter > level_part * least_;
   }
-  bool outer(int block, int v) const { return outline_.turn(global(block, v)) > parallel_sine; }
-  bool convex(int block, int v) const { return outline_.turn(global(block, v)) > 0; }
+  bool outer(int block, int v) const { return corner(block, v).turn > parallel_sine; }
+  bool convex(int block, int v) const { return corner(block, v).turn > 0; }
 
   // Whether a corner at the place `s` along edge `e` of `be` is on it. At an inner corner the edge goes on under the
   // wall, where a corner that presses on both is.
@@ -199,7 +200,7 @@ class NearPair {
   double slack(double length, double deep) const { return corner_part * length + deep * deep / least_; }
   // m, by which an edge goes on under the wall at an inner corner; what lies in a shallow one is out of both edges by the sine of its depth.
   double under_wall(int block, int v) const {
-    return outline_.turn(global(block, v)) < -parallel_sine || notch(block, v) ? -deepest() : std::max(way_, meeting());
+    return corner(block, v).turn < -parallel_sine || notch(block, v) ? -deepest() : std::max(way_, meeting());
   }
 
   // Whether the block `be` has another side between its face at `e` and a corner at `p` below it: what the corner is away from
@@ -233,7 +234,7 @@ class NearPair {
     const int own = joint.a == block ? joint.edge_a : joint.b == block ? joint.edge_b : -1;
     return own >= 0 && (own == v || next(block, own) == v) ? j : -1;
   }
-  static bool lies_along(const Vec2& d, const Vec2& n) { return std::abs(d.dot(n)) <= parallel_sine * d.norm(); }
+  static bool lies_along(const Vec2& d, const Vec2& n) { return std::abs(d.dot(n)) <= parallel_sine; }  // unit vectors
 
   // Length over which an edge at corner `v` lies along `e`, or 0.
   double shared_length(int block, int v, const Face& e) const {
@@ -250,7 +251,6 @@ class NearPair {
 
   const Model& model_;
   const Surface& surface_;
-  const Outline outline_;
   const Faces& faces_;
   int i_, j_;
   double dt_, judged_, least_, flush_, way_, reach_;  // s, s, m, m, m, m; judged_: from the start to the places that contacts are judged at

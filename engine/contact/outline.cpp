@@ -10,12 +10,8 @@ namespace {
 
 bool strains(const BlockShape& shape) { return shape.dofs > rigid_dofs; }
 
-Vec3 stress_of_strain(const Model& model, int block) { return elasticity(model.material(block)) * model.blocks[size_t(block)].strain; }  // Pa, in its own axes
-
-// Pa, of its strain: as they are given, blocks under an initial stress lie flush.
-double normal_stress(const Model& model, int block, const Vec2& n) {
-  if (!strains(model.shapes[size_t(block)])) return 0;
-  const Vec3 s = turn_stress(Rotation::of(model.blocks[size_t(block)].angle), stress_of_strain(model, block));
+double normal_stress(const Pressing& pressing, const Vec2& n) {
+  const Vec3& s = pressing.stress;
   return std::abs(n.x() * n.x() * s[0] + n.y() * n.y() * s[1] + 2 * n.x() * n.y() * s[2]);
 }
 
@@ -27,13 +23,6 @@ double extent(const Model& model, int block, const Vec2& n) {  // m
     low = std::min(low, at), high = std::max(high, at);
   }
   return high - low;
-}
-
-// Pa, at most along any normal: what its circle of Mohr reaches.
-double largest_normal_stress(const Model& model, int block) {
-  if (!strains(model.shapes[size_t(block)])) return 0;
-  const Vec3 s = stress_of_strain(model, block);
-  return (std::abs(s[0] + s[1]) + std::sqrt((s[0] - s[1]) * (s[0] - s[1]) + 4 * s[2] * s[2])) / 2;
 }
 
 // What is asked of each block: stress, Pa, and extent, m.
@@ -49,13 +38,13 @@ double flush_by(const Model& model, int a, int b, const Stress& stress_in, const
 
 }  // namespace
 
-double largest_flush_distance(const Model& model, int a, int b) {
+double largest_flush_distance(const Model& model, const Faces& faces, int a, int b) {
   constexpr double widest = 4;  // radii: of a block that is stretched to twice its length
-  return flush_by(model, a, b, [&](int block) { return largest_normal_stress(model, block); }, [&](int block) { return widest * model.shapes[size_t(block)].radius; });
+  return flush_by(model, a, b, [&](int block) { return faces.pressing(block).largest; }, [&](int block) { return widest * model.shapes[size_t(block)].radius; });
 }
 
-double flush_distance(const Model& model, int a, int b, const Vec2& normal) {
-  return flush_by(model, a, b, [&](int block) { return normal_stress(model, block, normal); }, [&](int block) { return extent(model, block, normal); });
+double flush_distance(const Model& model, const Faces& faces, int a, int b, const Vec2& normal) {
+  return flush_by(model, a, b, [&](int block) { return normal_stress(faces.pressing(block), normal); }, [&](int block) { return extent(model, block, normal); });
 }
 
 }  // namespace talus

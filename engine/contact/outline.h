@@ -13,9 +13,9 @@ constexpr double parallel_sine = 0.052;
 constexpr double flush_part = 1e-4;
 // m, likewise of two blocks at a face of this normal: also what they give way to along it under the stress of either, up to passing_tolerance of the
 // smaller's √area. A column that bears a load lies lower than the next that does not yet, and is no ledge.
-double flush_distance(const Model& model, int a, int b, const Vec2& normal);
-// No less than that is for any normal: it turns no stress, and is asked first.
-double largest_flush_distance(const Model& model, int a, int b);
+double flush_distance(const Model& model, const Faces& faces, int a, int b, const Vec2& normal);
+// No less than that is for any normal; asked first.
+double largest_flush_distance(const Model& model, const Faces& faces, int a, int b);
 // An outline that turns inwards by so little that what goes by lies under the face beyond by less than this part of the smaller block's √area counts as
 // straight: what lies on it is pressed in by as much.
 constexpr double level_part = 1e-5;
