@@ -97,36 +97,79 @@ void SweepsOf<size>::look_at_changing(const State& from, double change) {
   }
   if (double(some.size()) > most_changing * double(active_.contacts.size())) return;
   changing_.groups = grouped(some);
+  changing_.blocks = moved_by(some);
   changing_.contacts = std::move(some);
   all_ = false;
+  kept_whole_ = 0;
+}
+
+template <int size>
+std::vector<int> SweepsOf<size>::moved_by(const std::vector<int>& contacts) const {
+  std::vector<char> moved(blocks_.size() + 1, 0);
+  for (const int contact : contacts) {
+    const Link& link = contacts_[size_t(contact)];
+    moved[size_t(link.i)] = moved[size_t(link.j)] = 1;
+    for (int k = link.moved_begin; k < link.moved_end; ++k) moved[size_t(moved_block_[size_t(k)])] = 1;
+  }
+  std::vector<int> blocks;
+  for (size_t l = 0; l < blocks_.size(); ++l)
+    if (moved[l]) blocks.push_back(int(l));
+  return blocks;
+}
+
+template <int size>
+void SweepsOf<size>::keep_forces(State& to) const {
+  to.bond = bond_;
+  if (!keeps_some()) {
+    to.forces = forces_;
+    return;
+  }
+  for (const int contact : changing_.contacts) to.forces[size_t(contact)] = forces_[size_t(contact)];
+}
+
+template <int size>
+void SweepsOf<size>::keep(State& to) const {
+  keep_forces(to);
+  if (!keeps_some()) {
+    to.motion = motion_;
+    return;
+  }
+  for (const int block : changing_.blocks) to.motion[size_t(block)] = motion_[size_t(block)];
 }
 
 // As they come: each into the first of the last few groups that has room for it and moves no block, nor a patch, that it moves.
 template <int size>
 std::vector<SweptGroup<size>> SweepsOf<size>::grouped(const std::vector<int>& contacts) const {
   constexpr size_t filled_at_once = 8;
+  constexpr int nothing = -2;  // what is held is of patch -1
   const int held = int(blocks_.size()), none = int(contacts_.size());
+  struct Filled {
+    size_t count = 0;
+    std::array<int, 8> patches;  // that it moves
+    bool moves(int patch) const {
+      bool any = false;
+      for (const int own : patches) any |= own == patch;
+      return any && patch >= 0;
+    }
+    bool takes(int a, int b) const { return count < 4 && !moves(a) && !moves(b); }
+  };
   std::vector<SweptGroup<size>> groups;
-  std::vector<size_t> filled;  // of each group
+  std::vector<Filled> filled;  // of each group
   size_t first = 0;
   for (const int k : contacts) {
     const Link& link = contacts_[size_t(k)];
-    const auto takes = [&](size_t g) {
-      const SweptGroup<size>& group = groups[g];
-      const auto moves = [&](int block) {
-        const auto same = [&](int other) { return patch_of_[size_t(other)] == patch_of_[size_t(block)]; };
-        return block != held && (std::any_of(group.i.begin(), group.i.end(), same) || std::any_of(group.j.begin(), group.j.end(), same));
-      };
-      return filled[g] < 4 && !moves(link.i) && !moves(link.j);
-    };
+    const int a = patch_of_[size_t(link.i)], b = patch_of_[size_t(link.j)];
     size_t g = first;
-    while (g < groups.size() && !takes(g)) ++g;
+    while (g < groups.size() && !filled[g].takes(a, b)) ++g;
     if (g == groups.size()) {
       groups.push_back(SweptGroup<size>::of_nothing(none, held, int(rows_.size()) - 1));
-      filled.push_back(0);
+      filled.emplace_back().patches.fill(nothing);
       if (groups.size() > first + filled_at_once) ++first;
     }
-    groups[g].put(filled[g]++, k, link);
+    Filled& group = filled[g];
+    group.patches[2 * group.count] = a;
+    group.patches[2 * group.count + 1] = b;
+    groups[g].put(group.count++, k, link);
   }
   return groups;
 }
@@ -171,7 +214,11 @@ typename SweepsOf<size>::Change SweepsOf<size>::change(const State& from, const 
 template <int size>
 void SweepsOf<size>::carry_on(const State& last, double momentum, bool anew) {
   for (size_t t = 0; t < bond_.size(); ++t) bond_[t] += momentum * (bond_[t] - last.bond[t]);
-  for (size_t l = 0; l < motion_.size(); ++l) go(motion_[l], last.motion[l], momentum, momentum, motion_[l]);
+  const auto go_on = [&](size_t l) { go(motion_[l], last.motion[l], momentum, momentum, motion_[l]); };
+  if (all_)
+    for (size_t l = 0; l < motion_.size(); ++l) go_on(l);
+  else
+    for (const int block : changing_.blocks) go_on(size_t(block));
   for (const int contact : swept().contacts) {
     const auto k = size_t(contact);
     const ContactForces now = forces_[k], before = last.forces[k];
@@ -239,8 +286,7 @@ Sweeping::Progress SweepsOf<size>::run(const End& end, Carry carry, std::vector<
   double decade = 0;  // change ten pairs ago
   int since = 0;
   while (progress.pairs < end.most) {
-    from.forces = forces_;
-    from.bond = bond_;
+    keep_forces(from);
     sweep(false);
     sweep(true);
     ++progress.pairs;
@@ -277,9 +323,8 @@ Sweeping::Progress SweepsOf<size>::run(const End& end, Carry carry, std::vector<
     }
     before = all_ == before_all ? now.change : std::numeric_limits<double>::infinity();
     State& reached = from;
-    reached.forces = forces_;
-    reached.bond = bond_;
-    reached.motion = motion_;
+    keep(reached);
+    ++kept_whole_;
     if (momentum > 0) carry_on(last, momentum, progress.pairs % rebuilt_every == 0);
     std::swap(reached, last);
   }

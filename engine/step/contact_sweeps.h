@@ -74,8 +74,12 @@ class SweepsOf : public Sweeping {
   void put_in_order();
   void pack();
   std::vector<SweptGroup<size>> grouped(const std::vector<int>& contacts) const;
+  std::vector<int> moved_by(const std::vector<int>& contacts) const;
   void take(const std::vector<double>& normal, const std::vector<double>& shear, const Vector& d);
   void relax(size_t tied);
+  bool keeps_some() const { return !all_ && kept_whole_ >= 2; }
+  void keep_forces(State& to) const;
+  void keep(State& to) const;
   void rebuild();  // motion_ from the forces
   void watch();    // sets active_
   void look_at_changing(const State& from, double change);
@@ -96,10 +100,12 @@ class SweepsOf : public Sweeping {
   struct Swept {
     std::vector<int> contacts;  // of contacts_
     std::vector<SweptGroup<size>> groups;
+    std::vector<int> blocks;  // of blocks_, that they move; of changing_ alone
   };
   Swept active_;    // all that press or may soon
   Swept changing_;  // those of them that still change, and what is beside them
   bool all_ = true;  // of active_ are swept
+  int kept_whole_ = 0;  // states since not all are: after two both that a pair is compared with have what does not change
   const Swept& swept() const { return all_ ? active_ : changing_; }
   std::vector<SweptMotion<size>> moved_;
   std::vector<int> moved_block_;  // whose that is
