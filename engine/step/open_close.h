@@ -90,7 +90,7 @@ class OpenClose {
   struct Change;
   std::vector<Change> coupled_changes(const ContactProblem& problem) const;
   class KnownPart;
-  void solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, Vector& p) const;
+  void solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, double leaves, Vector& p) const;
   void follow_friction(ContactProblem& problem, Vector& d);
   void full_step(ContactProblem& problem, Vector& d, OpenCloseResult& result);
   bool coupled_step(ContactProblem& problem, Vector& d, OpenCloseResult& result);

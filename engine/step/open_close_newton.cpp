@@ -15,7 +15,9 @@ constexpr double slope_part = 0.05;
 // Products with the matrix in one unsymmetric solve; each costs a back-substitution, a tenth of a factor.
 constexpr int most_products = 40;
 constexpr double least_step = 1.0 / 64;
-constexpr double coarse = 3e-3;  // what a solve of the coupled law leaves, as states change anyway; with 1e-2 more of them are contradicted
+// What a solve of the coupled law leaves of the motions it is solved by: as states change anyway, with 1e-2 more of them are contradicted; and where they
+// are right. There 3e-3 leaves some blocks a tenth or more of their residual, which then looks as if Newton's steps did not get on.
+constexpr double coarse = 3e-3, fine = 3e-5;
 
 }  // namespace
 
@@ -152,7 +154,7 @@ class OpenClose::KnownPart {
 
 // (M + U Vᵀ) p = r with the factored M, by the motions y = Vᵀp of the contacts that differ from it alone:
 // (1 + VᵀM⁻¹U) y = VᵀM⁻¹r, unsymmetric, so by GMRES, from the right of which stands what is known of it; then p = M⁻¹(r - U y).
-void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, Vector& p) const {
+void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, double leaves, Vector& p) const {
   if (changes.empty()) return problem.solver.solve(r, p);
   const auto count = Eigen::Index(changes.size());
   const auto motions = [&](const Vector& x, Vector& y) {
@@ -172,7 +174,7 @@ void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>
   };
   problem.solver.solve_coarsely(r, x);
   motions(x, right);
-  gmres(apply, right, coarse, most_products, y);
+  gmres(apply, right, leaves, most_products, y);
   known.solve(y);
   force = r;
   for (Eigen::Index k = 0; k < count; ++k) changes[size_t(k)].add_force(-y[k], force);
@@ -196,7 +198,7 @@ void OpenClose::follow_friction(ContactProblem& problem, Vector& d) {
     changes.push_back({&row, true, false, -way * row.friction * f * row.kn});
   }
   if (changes.empty()) return;
-  solve_coupled(problem, changes, r_, p_);
+  solve_coupled(problem, changes, r_, coarse, p_);
   d += p_;
 }
 
@@ -204,7 +206,7 @@ void OpenClose::follow_friction(ContactProblem& problem, Vector& d) {
 void OpenClose::full_step(ContactProblem& problem, Vector& d, OpenCloseResult& result) {
   const std::vector<Change> changes = coupled_changes(problem);
   residual(problem, true, r_);
-  solve_coupled(problem, changes, r_, p_);
+  solve_coupled(problem, changes, r_, fine, p_);
   multiply(problem);
   advance(problem, 1, d, result);
 }
@@ -216,7 +218,7 @@ bool OpenClose::coupled_step(ContactProblem& problem, Vector& d, OpenCloseResult
   if (std::none_of(changes.begin(), changes.end(), [](const Change& c) { return c.shear_force && !c.shear_motion; }))
     return false;  // nothing slips
   residual(problem, true, r_);
-  solve_coupled(problem, changes, r_, p_);
+  solve_coupled(problem, changes, r_, coarse, p_);
   multiply(problem);
   // Along p the residual falls at once, and in every norm, until a state changes: halve until it has fallen.
   const OpenCloseResult before = result;
