@@ -120,7 +120,7 @@ StepReport Stepper::dynamic_step(double most) {
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
     if (parts_.gas) parts_.gas->end_step(dt);
     for (Fixity& fixity : model_.scene.fixities) fixity.go_on(model_.time);
-    if (dt < most) step_size_.accepted(dt, course.far, effort_, split_anew_);
+    if (dt < most) step_size_.accepted(dt, course.far, course.turn, effort_, split_anew_);
     half_done_ = false;
     report.dt = dt;
     return report;
@@ -198,7 +198,8 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     if (!course.result.converged) return course;
     lead(scheme, course);
     report.displacement = course.far;
-    if (step_size_.heeds_turns()) course.far = std::max(course.far, step_size_.as_far_as(largest_turn_of_pressed(model_, moved_)));
+    if (step_size_.heeds_turns()) course.turn = largest_turn_of_pressed(model_, moved_);
+    course.far = std::max(course.far, step_size_.as_far_as(course.turn));
     if (step_size_.too_far(course.far) || course.crushed >= 0) return course;
 
     // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.

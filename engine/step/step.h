@@ -42,6 +42,7 @@ class Stepper {
     bool past = false;                     // contacts that it did not have
     bool woke = false;                     // something that sleeps, by what it throws
     double far = 0;                        // m, that bounds the step
+    double turn = 0;                       // rad, the largest of what is pressed, where steps heed that
     int crushed = -1;                      // block
     double released = 0;                   // J/m, by bonds that fail in it, but for what their contacts begin with
     std::optional<BridgeBooking> bridges;  // where bonds can fail

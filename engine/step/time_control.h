@@ -42,8 +42,8 @@ class StepSize {
     dt_ = std::clamp(last, std::max(least_, dt / 2), most_);
     cautious_ = caution_;
   }
-  // effort: what the solution took, in factors. split_anew: part of what moves whose contacts only the splitting solved, where it did not before.
-  void accepted(double dt, double displacement, double effort, double split_anew);
+  // turn: rad, of what is pressed. effort: what the solution took, in factors. split_anew: part of what moves whose contacts only the splitting solved, where it did not before.
+  void accepted(double dt, double displacement, double turn, double effort, double split_anew);
   double least() const { return least_; }
   bool is_least(double dt) const { return dt <= least_ * (1 + 2 * as_good_as); }
   // The bounds come from the scene; a restart may have set others.
