@@ -45,7 +45,7 @@ class Hiding {
     const auto carried = [&](int above, int below) {
       const auto lies_under = [&](const Contact& k, double up) {  // the surface is the edge of k, its normal up times outwards
         if (std::abs(k.gap) > flush) return false;
-        const Vec2 normal = up * edge_normal(model_, k);
+        const Vec2 normal = up * faces_[k.global_edge].normal;
         if (std::abs(normal.dot(along)) < parallel_sine * length || normal.dot(outline_.place(below) - outline_.place(k.global_edge)) > flush_distance(model_, faces_, k.i, k.j, normal)) return false;
         const auto leads_down = [&](const Vec2& way) { return normal.dot(way) <= parallel_sine * way.norm(); };
         return leads_down(outline_.ahead(below)) && leads_down(outline_.behind(below));

@@ -141,7 +141,7 @@ void SweepsOf<size>::keep(State& to) const {
 template <int size>
 std::vector<SweptGroup<size>> SweepsOf<size>::grouped(const std::vector<int>& contacts) const {
   constexpr size_t filled_at_once = 8;
-  constexpr int nothing = -2;  // what is held is of patch -1
+  constexpr int no_patch = -1;  // as of what is held
   const int held = int(blocks_.size()), none = int(contacts_.size());
   struct Filled {
     size_t count = 0;
@@ -149,7 +149,7 @@ std::vector<SweptGroup<size>> SweepsOf<size>::grouped(const std::vector<int>& co
     bool moves(int patch) const {
       bool any = false;
       for (const int own : patches) any |= own == patch;
-      return any && patch >= 0;
+      return any && patch != no_patch;
     }
     bool takes(int a, int b) const { return count < 4 && !moves(a) && !moves(b); }
   };
@@ -163,7 +163,7 @@ std::vector<SweptGroup<size>> SweepsOf<size>::grouped(const std::vector<int>& co
     while (g < groups.size() && !filled[g].takes(a, b)) ++g;
     if (g == groups.size()) {
       groups.push_back(SweptGroup<size>::of_nothing(none, held, int(rows_.size()) - 1));
-      filled.emplace_back().patches.fill(nothing);
+      filled.emplace_back().patches.fill(no_patch);
       if (groups.size() > first + filled_at_once) ++first;
     }
     Filled& group = filled[g];

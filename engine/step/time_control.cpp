@@ -20,10 +20,9 @@ constexpr double careful_growth = 1.03, most_growth = 1.5, growth_among_cracks =
 constexpr int caution_where_split = 100;
 constexpr double part_split = 0.1;
 constexpr double fall = 0.6;  // there, and where a step takes more than twice what is worth it
-// Effort of a step, in factors, from which on a longer one does not pay: of all; where what presses turns by so much in it that corners come and go, for then a step
-// costs by its length (a crater that comes apart takes 45 to 54 bare factorisations a millisecond with 5, 50 to 57 with 6 to 12, and 51 to 65 with 4, but a wall of
-// 1600 bricks of 1 GPa under sudden gravity 20 s with 5 for 4 with 12; they shrink as others do, from twice 12: from 10 on its steps came to 0.16 ms as it piled up, for no less a second); and among cracks, where two short steps are cheaper than one that states have to be
-// looked for in.
+// Effort of a step, in factors, from which on it grows no longer: of all; where what presses turns by so much in it that corners come and go, for then a step
+// costs by its length (theory, § 10); and among cracks, where two short steps are cheaper than one that states have to be looked for in. All shrink from twice
+// the first or the last on.
 constexpr double most_effort = 12, most_effort_turning = 5, most_effort_among_cracks = 8;
 constexpr double turning = 1e-3;  // rad
 
