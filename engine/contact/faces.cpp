@@ -10,7 +10,7 @@ namespace talus {
 
 namespace {
 
-Corner corner_of(const Outline& outline, int vertex) {
+OutlineCorner corner_of(const Outline& outline, int vertex) {
   const Vec2 ahead = outline.ahead(vertex), behind = outline.behind(vertex);
   return {ahead.normalized(), behind.normalized(), outline.turn(vertex), std::sqrt(std::min(ahead.squaredNorm(), behind.squaredNorm()))};
 }

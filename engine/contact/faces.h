@@ -16,7 +16,7 @@ struct Face {
 };
 
 // A corner on the outline of its body.
-struct Corner {
+struct OutlineCorner {
   Vec2 ahead, behind;  // along the sides that meet there, away from it; unit vectors
   double turn;         // sine of the angle by which the outline turns outwards
   double shorter;      // m, of the two sides
@@ -34,14 +34,14 @@ struct Surface;  // contact/detection.h
 class Faces {
  public:
   void find(const Model& model, const Surface& surface, const std::vector<std::pair<int, int>>& near);
-  const Face& operator[](int edge) const { return faces_[size_t(edge)]; }         // global
-  const Corner& corner(int vertex) const { return corners_[size_t(vertex)]; }     // global
+  const Face& operator[](int edge) const { return faces_[size_t(edge)]; }                // global
+  const OutlineCorner& corner(int vertex) const { return corners_[size_t(vertex)]; }  // global
   const Pressing& pressing(int block) const { return pressing_[size_t(block)]; }
 
  private:
   void find(const Model& model, const Surface& surface, int block);
   std::vector<Face> faces_;
-  std::vector<Corner> corners_;
+  std::vector<OutlineCorner> corners_;
   std::vector<Pressing> pressing_;
   std::vector<char> found_;  // by block
 };

@@ -63,7 +63,7 @@ class NearPair {
   // on the flat side of a mesh is no corner, though the block is.
   const OutlineEdge& leaving(int block, int v) const { return surface_.leaving[size_t(global(block, v))]; }
   const OutlineEdge& arriving(int block, int v) const { return surface_.arriving[size_t(global(block, v))]; }
-  const Corner& corner(int block, int v) const { return faces_.corner(global(block, v)); }
+  const OutlineCorner& corner(int block, int v) const { return faces_.corner(global(block, v)); }
   int global(int block, int v) const { return model_.shapes[block].vertex_begin + v; }
 
   // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both sides of the body lead away, and the body is on that side of them:
@@ -181,7 +181,7 @@ class NearPair {
   bool notch(int block, int v) const { return own(block, v) && corner(block, v).turn < -closed_crack && corner(block, v).ahead.dot(corner(block, v).behind) > 0; }
   // By however little, where it is more than what lies on its sides is pressed in. Of a block of its own: a body's sides bend as it deforms.
   bool valley(int block, int v) const {
-    const Corner& at = corner(block, v);
+    const OutlineCorner& at = corner(block, v);
     return at.turn < 0 && own(block, v) && -at.turn * at.shorter > level_part * least_;
   }
   bool outer(int block, int v) const { return corner(block, v).turn > parallel_sine; }
