@@ -12,6 +12,7 @@
 #include "contact/narrow_phase.h"
 #include "model/groups.h"
 #include "model/rates.h"
+#include "model/sort_large.h"
 
 namespace talus {
 
@@ -46,18 +47,6 @@ void drop_points(const Model& model, const std::vector<MeetingCorners>& meeting,
         return true;
     return false;
   });
-}
-
-// A contact is too large to be moved about in sorting.
-void sort_by_key(std::vector<Contact>& contacts) {
-  std::vector<std::pair<std::int64_t, int>> order;
-  order.reserve(contacts.size());
-  for (size_t k = 0; k < contacts.size(); ++k) order.push_back({contacts[k].key(), int(k)});
-  std::sort(order.begin(), order.end());
-  std::vector<Contact> sorted;
-  sorted.reserve(contacts.size());
-  for (const auto& [key, k] : order) sorted.push_back(contacts[size_t(k)]);
-  contacts = std::move(sorted);
 }
 
 bool convex(const Model& model, int block) {
@@ -248,7 +237,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   }
   if (!seen.empty()) forget_last();  // it was of other velocities
   drop_points(model, meeting, surface_.bonded, now);
-  sort_by_key(now);
+  sort_large(now, [](const Contact& c) { return c.key(); });
   drop_hidden(model, surface_, faces_, now);
   ended_ = carry_over(model, dt, cracked, now);
   model.contacts.resize(size_t(model.sleeping_contacts));

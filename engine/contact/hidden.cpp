@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/hand_over.h"
 #include "contact/outline.h"
 
 namespace talus {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "model/sort_large.h"
 #include "step/contact_sweeps.h"
 
 namespace talus {
@@ -210,14 +211,7 @@ void SweepsOf<size>::put_in_order() {
   }
   Eigen::Index longer = 0;
   (high - low).maxCoeff(&longer);
-  std::vector<std::pair<double, int>> order;  // a contact is too large to be moved about in sorting
-  order.reserve(contacts_.size());
-  for (size_t k = 0; k < contacts_.size(); ++k) order.push_back({place(contacts_[k])[longer], int(k)});
-  std::sort(order.begin(), order.end());
-  std::vector<Link> sorted;
-  sorted.reserve(contacts_.size());
-  for (const auto& [at, k] : order) sorted.push_back(contacts_[size_t(k)]);
-  contacts_ = std::move(sorted);
+  sort_large(contacts_, [&](const Link& link) { return place(link)[longer]; });
 }
 
 // Rows and what is moved in the order in which sweeps come by.
