@@ -32,7 +32,8 @@ class Hiding {
   }
 
   // Whether the corner comes to the end of the edge in a surface on which others carry the body of the one, while that of the other lies under it, as
-  // the tip of a piece between joints that come out there: no wall stands above it.
+  // the tip of a piece between joints that come out there: no wall stands above it. A wall of the one that goes on under the surface, as that of a box on whose
+  // floor others lie, is one.
   bool under_a_face(const Contact& c) const {
     const Vec2 &at = outline_.place(c.global_vertex), &from = outline_.place(c.global_edge), along = outline_.place(outline_.last({c.j, c.edge})) - from;
     const Vec2 rate = model_.velocity_at(c.i, at) - model_.velocity_at(c.j, at);
@@ -46,8 +47,9 @@ class Hiding {
         if (std::abs(k.gap) > flush) return false;
         const Vec2 normal = up * faces_[k.global_edge].normal;
         if (std::abs(normal.dot(along)) < parallel_sine * length || normal.dot(outline_.place(below) - outline_.place(k.global_edge)) > flush_distance(model_, faces_, k.i, k.j, normal)) return false;
-        const auto leads_down = [&](const Vec2& way) { return normal.dot(way) <= parallel_sine * way.norm(); };
-        return leads_down(outline_.ahead(below)) && leads_down(outline_.behind(below));
+        const auto leads = [&](double side, const Vec2& way) { return side * normal.dot(way) >= -parallel_sine * way.norm(); };
+        const auto lead = [&](double side, int corner) { return leads(side, outline_.ahead(corner)) && leads(side, outline_.behind(corner)); };
+        return lead(1, above) && lead(-1, below);
       };
       const auto third = [&](int block) { return block != c.i && block != c.j; };
       return any_of_corner(above, [&](const Contact& k) { return third(k.j) && lies_under(k, 1); }) ||

@@ -93,7 +93,6 @@ struct BlockState {
   Vec3 strain = Vec3::Zero();        // εx, εy, γxy in the block's axes, since the start; of second order at the centroid
   Vec2 shift = Vec2::Zero();         // m, of the centroid since the start: kept apart from the place, so that a
                                      // joint's jump is a difference of displacements and keeps its digits
-  double weighed_ahead = 0;          // s: the ledger weighs it at X + weighed_ahead·v (step/ledger.h, weigh)
   Rates velocity;
   Apart<BendArray> bend;             // m, of second-order blocks: model/bend.h
 };

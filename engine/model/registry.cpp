@@ -135,7 +135,7 @@ void visit_charges(Scene& scene, StateVisitor& v) {
 
 void visit_state(BlockState& state, StateVisitor& v) {
   // Seven members and no more, by name: bindings go by their order. Bend and its rates: see Bends.
-  [[maybe_unused]] const auto& [first_member, second, third, fourth, fifth, sixth, seventh] = state;
+  [[maybe_unused]] const auto& [first_member, second, third, fourth, fifth, sixth] = state;
   v("shift", state.shift);
   v("centroid", state.centroid);
   v("angle", state.angle);
@@ -144,7 +144,6 @@ void visit_state(BlockState& state, StateVisitor& v) {
   std::copy_n(state.velocity.begin(), first.size(), first.begin());
   v("velocity", first);
   std::copy(first.begin(), first.end(), state.velocity.begin());
-  v("weighed_ahead", state.weighed_ahead);
 }
 
 void visit_state(BlockShape& shape, StateVisitor& v) {

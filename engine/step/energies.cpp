@@ -93,14 +93,14 @@ Asleep stored_asleep(const Model& model) {
   return {strain_of_blocks(model, true, 0), contact_energy(model.asleep_contacts()), closed_contacts(model.asleep_contacts())};
 }
 
-double gravity_energy_ahead(const Model& model) {
+double gravity_energy_ahead(const Model& model, double ahead) {
   double sum = 0;
   for (const int b : model.awake_blocks())
     if (model.shapes[b].dofs > 0) {
       const auto& v = model.blocks[b].velocity;
-      sum -= model.blocks[b].weighed_ahead * model.mass(b) * model.scene.gravity.dot(Vec2(v[0], v[1]));
+      sum -= model.mass(b) * model.scene.gravity.dot(Vec2(v[0], v[1]));
     }
-  return sum;
+  return ahead * sum;
 }
 
 }  // namespace talus

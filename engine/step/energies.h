@@ -29,6 +29,6 @@ struct Asleep {
 Asleep stored_asleep(const Model& model);
 
 double initial_stress_energy(const Model& model);     // what the initial stress can give: ½ A σ₀·D⁻¹σ₀ of blocks that strain
-double gravity_energy_ahead(const Model& model);  // of the way from X to where blocks are weighed: -m g·v weighed_ahead
+double gravity_energy_ahead(const Model& model, double ahead);  // of the way from X to y: -m g·v ahead
 
 }  // namespace talus

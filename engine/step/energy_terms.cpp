@@ -30,7 +30,7 @@ std::span<const EnergyTerm> energy_terms() {
       {"contact", "contact_energy", "contact springs", EnergyTerm::stored, &Energies::contact,
        "in the springs of contacts", with_contacts},
       {"gravity", "gravity_energy", "gravity", EnergyTerm::stored, &Energies::gravity,
-       "of height, since the start", [](const Plan& plan) { return plan.gravity; }},
+       "of height, since the start, less what steps of another length have lifted and no loss has paid for yet", [](const Plan& plan) { return plan.gravity; }},
       {"total", "total_energy", "total", EnergyTerm::sum, &Energies::total,
        "kinetic, strain, contact and gravity together", always},
       {"external", "external_work", "loads", EnergyTerm::put_in, &Energies::external,

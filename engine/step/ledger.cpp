@@ -63,7 +63,7 @@ double squared(double x) {
 
 void visit_state(Ledger& ledger, StateVisitor& v) {
   auto& [ahead, gravity_work, external_work, gas_work, boundary_work, friction_work, damping_work, viscous_work, fracture_work,
-         numerical_flow, start_energy, start_shift, largest_work] = ledger;
+         numerical_flow, unpaid, start_energy, start_shift, largest_work] = ledger;
   v("ahead", ahead);
   v("gravity_work", gravity_work);
   v("external_work", external_work);
@@ -74,6 +74,7 @@ void visit_state(Ledger& ledger, StateVisitor& v) {
   v("viscous_work", viscous_work);
   v("fracture_work", fracture_work);
   v("numerical_flow", numerical_flow);
+  v("unpaid", unpaid);
   v("start_energy", start_energy);
   v("start_shift", start_shift);
   v("largest_work", largest_work);
@@ -208,57 +209,10 @@ void BridgeBooking::book(const Model& model, double taken, Ledger& ledger) const
   for (const auto& [j, then] : before_) ledger.fracture_work -= bridge_energy(model.joints[j]) - bridge_energy(then);
 }
 
-namespace {
-
-Vec2 velocity_of(const BlockState& state) { return {state.velocity[0], state.velocity[1]}; }
-
-// s, by which a block is weighed nearer to X than y.
-double late(const Model& model, const Scheme& scheme, int b) {
-  return model.shapes[b].dofs == 0 ? 0 : scheme.bond_ahead - model.blocks[b].weighed_ahead;
-}
-
-}  // namespace
-
-bool weighed_late(const Model& model, const Scheme& scheme) {
-  return std::ranges::any_of(model.awake_blocks(), [&](int b) { return late(model, scheme, b) != 0; });
-}
-
-double least_loss(const Model& model, const std::vector<BlockState>& before, const Scheme& scheme, double dissipated) {
-  double lost = dissipated;
-  for (const int b : model.awake_blocks()) {
-    if (model.shapes[b].dofs == 0) continue;
-    if (model.shapes[b].bonded && model.blocks[b].velocity[2] != 0) continue;  // about others, which costs nothing
-    const Vec2 change = velocity_of(model.blocks[b]) - velocity_of(before[b]);
-    lost += model.mass(b) * (scheme.bond_ahead / scheme.dt * change.squaredNorm() - late(model, scheme, b) * model.scene.gravity.dot(change));
-  }
-  return lost;
-}
-
-void weigh_nearer(Model& model, double gained) {
-  const auto lift = [&](int b) {  // J/m, of what lies higher at y than at X
-    if (model.shapes[b].dofs == 0) return 0.0;
-    return std::max(0.0, -model.blocks[b].weighed_ahead * model.mass(b) * model.scene.gravity.dot(velocity_of(model.blocks[b])));
-  };
-  double most = 0;
-  for (const int b : model.awake_blocks()) most += lift(b);
-  if (most == 0) return;
-  const double part = std::min(1.0, gained / most);
-  for (const int b : model.awake_blocks())
-    if (lift(b) > 0) model.blocks[b].weighed_ahead *= 1 - part;
-}
-
-double weigh(Model& model, const Scheme& scheme, double lost) {
-  const auto lift = [&](int b) { return -late(model, scheme, b) * model.mass(b) * model.scene.gravity.dot(velocity_of(model.blocks[b])); };
-  double lifted = 0, lowered = 0;
-  for (const int b : model.awake_blocks()) (lift(b) > 0 ? lifted : lowered) += std::abs(lift(b));
-  const double pays = std::max(lost + lowered, 0.0), part = lifted > pays ? pays / lifted : 1;
-  for (const int b : model.awake_blocks()) {
-    double& ahead = model.blocks[b].weighed_ahead;
-    const double way = late(model, scheme, b);
-    if (way == 0) continue;
-    ahead = lift(b) > 0 && part < 1 ? ahead + part * way : scheme.bond_ahead;
-  }
-  return part * lifted - lowered;
+double Ledger::pay(double lost) {
+  const double before = unpaid;
+  unpaid = std::max(0.0, unpaid - std::max(0.0, lost));
+  return before - unpaid;
 }
 
 }  // namespace talus

@@ -29,12 +29,14 @@ struct Ledger {
   double viscous_work = 0;    // absorbed by viscous boundaries
   double fracture_work = 0;   // released by bonds that failed, and by static rock that jumps as they do
   double numerical_flow = 0;  // the integrator's loss but for what is read off the state (start_shift)
+  double unpaid = 0;          // by which steps of another length have lifted what flies, y, and which is not counted as energy until losses have paid for it (theory, § 9)
   double start_energy = 0;    // kinetic and stored, at y
   double start_shift = 0;     // strain and gravity energy at y less those at X
   double largest_work = 0;    // largest magnitude of gravity, external, gas or boundary work so far; in motion at least what an initial stress can give
 
   double scale() const { return std::max(start_energy, largest_work); }  // that errors are measured by
   void keep_largest();  // after works have been booked
+  double pay(double lost);  // what is unpaid, by what a step has lost; returns what that adds to the total energy
 };
 void visit_state(Ledger& ledger, StateVisitor& visitor);  // the registry, model/registry.h
 
@@ -64,17 +66,6 @@ struct BookedStep {  // what an accepted step was solved with; the model is stil
 
 // Forces that do not come from contacts, and the loss of bulk, bonds and supports.
 void book_motion(const BookedStep& step, Ledger& ledger);
-
-// Whether a block is not weighed at y of such a step.
-bool weighed_late(const Model& model, const Scheme& scheme);
-// J/m, that the first step, or one among bonds that can fail, has lost at least while each block is weighed where it was (theory, section 9). `dissipated`: of that by friction and
-// at viscous boundaries.
-double least_loss(const Model& model, const std::vector<BlockState>& before, const Scheme& scheme, double dissipated);
-// Blocks are weighed at y of the step that has moved them: at once those that this lowers; as far as the `lost` (J/m) and that pay for it, all
-// by the same part of the way, those that it lifts. Returns what it adds to the total energy.
-double weigh(Model& model, const Scheme& scheme, double lost);
-// Blocks on their way up are weighed nearer to X, as far as takes off what a step of another length has gained.
-void weigh_nearer(Model& model, double gained);
 
 // m, by which a contact's spring is pressed as a step begins: by its force, and where it has taken over from another as much more as it lies deeper.
 double pressed_at_start(const Contact& contact);

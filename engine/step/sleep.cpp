@@ -30,7 +30,7 @@ std::vector<double> read_inputs(const Model& model, const Scheme& scheme) {
 
 }  // namespace
 
-bool Sleep::wake(Model& model, const Scheme& scheme) {
+void Sleep::wake(Model& model, const Scheme& scheme) {
   model.asleep.resize(model.shapes.size(), 0);
   take_stock(model);
   std::vector<char> woken(model.shapes.size() + 1, 0);  // by group
@@ -39,11 +39,10 @@ bool Sleep::wake(Model& model, const Scheme& scheme) {
   for (const int group : struck_) woken[size_t(group)] = 1;
   struck_.clear();
   woken[0] = 0;
-  if (std::find(woken.begin(), woken.end(), 1) == woken.end()) return false;
+  if (std::find(woken.begin(), woken.end(), 1) == woken.end()) return;
   for (int& group : model.asleep)
     if (woken[group]) group = 0;
   model.order_contacts();
-  return true;
 }
 
 void Sleep::wake_loaded(const Model& model, const Scheme& scheme, std::vector<char>& woken) {

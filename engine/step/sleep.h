@@ -16,8 +16,8 @@ namespace talus {
 
 class Sleep {
  public:
-  // Before an attempt at a step. Whether anything wakes.
-  bool wake(Model& model, const Scheme& scheme);
+  // Before an attempt at a step.
+  void wake(Model& model, const Scheme& scheme);
   // Whether an attempt that leads to `moved` throws something at what sleeps, which the next wake() wakes then.
   bool struck(const Model& model, const std::vector<BlockState>& moved, const Scheme& scheme);
   // After an accepted step. near: pairs of blocks that came near each other in it.

@@ -61,7 +61,7 @@ StepReport Stepper::dynamic_step(double most) {
   for (;;) {
     const double dt = std::min(next_dt(), most);
     const Scheme scheme = this->scheme(dt);
-    if (model_.scene.numerics.sleeping && parts_.sleep.wake(model_, scheme)) weighed_late_ = true;
+    if (model_.scene.numerics.sleeping) parts_.sleep.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, parts_.search, contacts_before_, parts_.fracture.get());
     // 1. The state and the loads that belong to this step's length and times.
     const Start start = begin(scheme, attempt);
@@ -95,13 +95,9 @@ StepReport Stepper::dynamic_step(double most) {
     const double gained = accept(scheme, course.d, contacts_at_start(), start.energies);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
     if (start.changed && !regretted && gained > most_gain * start.energies->stored() && regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most)) {
-      regretted = weighed_late_ = true;
+      regretted = true;
       count_cut();
       continue;
-    }
-    if (start.energies && gained > 0 && plan_.gravity) {
-      weigh_nearer(model_, gained);
-      weighed_late_ = true;
     }
     attempt.keep();
     half_done_ = true;  // laws of the script are asked below that may fail
@@ -153,8 +149,9 @@ Stepper::Start Stepper::begin(const Scheme& scheme, Attempt& attempt) {
   // Another step than the last: y stays, as far as bodies deform or lie on something.
   Start start;
   const bool other = scheme.bond_ahead != ledger_.ahead, first = ledger_.ahead == 0;
-  if (other) weighed_late_ = true;
-  if (!parts_.fracture && !first && weighed_late_ && (other ? plan_.contacts : plan_.gravity)) start = {parts_.energies(), other};
+  const auto moves = [this](int b) { return !stands_still(model_, b); };
+  if (other ? plan_.contacts || plan_.gravity : ledger_.unpaid > 0 && std::ranges::any_of(model_.awake_blocks(), moves))
+    start = {parts_.energies(), other && !first && !parts_.fracture};
   if (other) {
     attempt.keep_places();
     change_step(scheme.bond_ahead);
@@ -216,20 +213,16 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
 
 void Stepper::visit_state(StateVisitor& visitor) {
   visitor("step_size", step_size_);
-  visitor("weighed_late", weighed_late_);
   visitor("judged_astray", judged_astray_);
   parts_.visit_state(visitor);
 }
 
 void Stepper::restored() {
-  const bool late = weighed_late_;
   parts_.restored();
   rewound();
-  weighed_late_ = late;
 }
 
 void Stepper::rewound() {
-  weighed_late_ = true;
   half_done_ = false;
   moved_of_ = -1;
   parts_.rewound();
@@ -341,7 +334,6 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
   for (const int b : model_.awake_blocks())  // nothing of it is work
     if (parts_.islands.rest(b) != Rest::moves) std::ranges::fill(model_.blocks[b].velocity, 0);
   if (bridge_motion_.any()) ledger_.numerical_flow += bridge_motion_.shift_loss(model_, scheme, d);
-  const double dissipated = ledger_.friction_work + ledger_.viscous_work;
   book_motion({model_, parts_.poses, parts_.system, parts_.joints, parts_.supports, scheme, d, moved_}, ledger_);
   if (plan_.fixities) parts_.supports.store(parts_.poses, scheme, d, model_);
   model_.blocks.swap(moved_);
@@ -352,19 +344,15 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
     ledger_.numerical_flow += parts_.search.ended();
   }
   ledger_.ahead = scheme.bond_ahead;
-  double gained = start ? parts_.energies().own() - start->own() : 0;
-  if (plan_.gravity && weighed_late_) {
-    gained += weigh(model_, scheme,
-                    start ? -gained : least_loss(model_, moved_, scheme, ledger_.friction_work + ledger_.viscous_work - dissipated));
-    weighed_late_ = weighed_late(model_, scheme);
-  }
   if (plan_.bonds && !parts_.fracture) parts_.joints.store_tractions(model_);  // else they are, to be judged
-  return gained;
+  if (!start) return 0;
+  const double gained = parts_.energies().own() - start->own();
+  return gained + ledger_.pay(-gained);
 }
 
 // What the way from X to y holds is the integrator's.
 void Stepper::change_step(double ahead) {
-  const double before = kinetic_energy(model_, 0) + parts_.elastic_energy(0);
+  const double before = kinetic_energy(model_, 0) + parts_.elastic_energy(0), height = gravity_energy_ahead(model_, ledger_.ahead);
   std::vector<BlockState> kept = keep_stored(model_, ledger_.ahead, ahead);
   double gravity = 0;
   for (int b = 0; b < int(kept.size()); ++b)
@@ -373,6 +361,7 @@ void Stepper::change_step(double ahead) {
   model_.place_vertices();
   ledger_.ahead = ahead;
   ledger_.gravity_work += gravity;
+  ledger_.unpaid += gravity_energy_ahead(model_, ahead) - gravity - height;
   ledger_.numerical_flow += gravity + before - kinetic_energy(model_, 0) - parts_.elastic_energy(0);
 }
 

@@ -51,7 +51,7 @@ class Stepper {
   double next_dt() const;
   void shorten();
   bool regret(double dt, double last, double most);
-  // The energies before the step, where they decide what is weighed where; `changed`: it is another than the last and may add to them.
+  // The energies before the step, where what it loses pays for what is unpaid; `changed`: it is another than the last and may add to them.
   struct Start {
     std::optional<Energies> energies;
     bool changed = false;
@@ -98,7 +98,6 @@ class Stepper {
   int again_ = 0;
   static constexpr int most_again = 5;
   double split_anew_ = 0;    // IslandResult's, of an attempt at a step
-  bool weighed_late_ = true;  // some block is not weighed at y, or may not be
   double effort_ = 0;         // of the solves of an attempt at a step, in factors
   bool half_done_ = false, gave_up_ = false;
   bool judged_astray_ = false;    // bonds have been judged where an attempt led that came to nothing

@@ -40,14 +40,6 @@ void move(const BlockShape& shape, double seconds, const Frame& carried, BlockSt
   state.angle += seconds * (state.velocity[2] / shape.length - carried.spin);
 }
 
-// As a whole: it stays at y of what carries it, and likewise where it is weighed, X + weighed_ahead v: g·(move + Δweighed_ahead v) = 0, or less
-// where it hardly falls.
-void move_whole(const BlockShape& shape, double seconds, const Frame& carried, const Vec2& gravity, BlockState& state) {
-  const double falls = gravity.dot(linear(state)), against = falls - gravity.dot(carried.velocity_at(state.centroid));
-  move(shape, seconds, carried, state);
-  state.weighed_ahead -= seconds * (std::abs(against) < std::abs(falls) ? against / falls : 1);
-}
-
 // Of a block's length; the smaller one where a contact slides, which would fall behind. What is pressed and moves no farther than that against what carries it
 // as the step changes, as all do that it presses on, is as good as at rest: what its contacts hold counts more than where it flies.
 constexpr double as_at_rest = 1e-4, as_at_rest_sliding = 1e-6;
@@ -247,10 +239,7 @@ std::vector<BlockState> keep_stored(const Model& model, double before, double af
   for (size_t b = 0; b < blocks.size(); ++b) {
     if (!carried.moves(int(b))) continue;
     deform(model.shapes[b], seconds, blocks[b]);
-    if (carried.flies(int(b)))
-      move(model.shapes[b], seconds, carried.by(int(b)), blocks[b]);
-    else
-      move_whole(model.shapes[b], seconds, carried.by(int(b)), model.scene.gravity, blocks[b]);
+    move(model.shapes[b], seconds, carried.by(int(b)), blocks[b]);
   }
   // What has moved outwards turns more slowly.
   const std::vector<Body> moved = carried.flying(blocks);

@@ -8,7 +8,6 @@ namespace talus {
 void StepParts::begin_ledger(double ahead) {
   ledger = {};
   ledger.ahead = ahead;
-  for (BlockState& state : model.blocks) state.weighed_ahead = 0;
   if (plan.fixities && ledger.ahead > 0) {
     prepare_bonds();
     model.support_gaps = supports.gaps(model);
@@ -29,7 +28,7 @@ int StepParts::closed_contacts() { return sleep.stored(model).closed + talus::cl
 
 Energies StepParts::energies() {
   prepare_bonds();
-  const double ahead = ledger.ahead, gravity_ahead = gravity_energy_ahead(model);
+  const double ahead = ledger.ahead, gravity_ahead = gravity_energy_ahead(model, ahead) - ledger.unpaid;
   Energies e;
   e.kinetic = plan.dynamic ? kinetic_energy(model, ahead) : 0;
   e.strain = elastic_energy(ahead);
