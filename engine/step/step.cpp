@@ -131,7 +131,6 @@ void Stepper::shorten() {
 
 // Whether a step is to be taken again, as one of `last`. Not where outputs, rows of tables or the end would make it the same again.
 bool Stepper::regret(double dt, double last, double most) {
-  if (!step_size_.may_regret()) return false;
   const StepSize before = step_size_;
   step_size_.regret(dt, last);
   shorten();

@@ -35,9 +35,7 @@ class StepSize {
   void stop_in(double seconds) {  // an automatic step, and the one before it is no short one
     if (automatic_ && seconds < 2 * dt_) dt_ = std::max(least_, seconds <= dt_ ? seconds : seconds / 2);
   }
-  // A change to `dt` from `last`: that length again, or half of dt where that is more, and then slowly on. Not again meanwhile: where each
-  // change is one to regret, steps would only ever become shorter.
-  bool may_regret() const { return cautious_ == 0; }
+  // A change to `dt` from `last`: that length again, or half of dt where that is more, and then slowly on.
   void regret(double dt, double last) {
     dt_ = std::clamp(last, std::max(least_, dt / 2), most_);
     cautious_ = caution_;
