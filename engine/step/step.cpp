@@ -64,7 +64,7 @@ StepReport Stepper::dynamic_step(double most) {
     if (model_.scene.numerics.sleeping) parts_.sleep.wake(model_, scheme);
     Attempt attempt(model_, plan_, ledger_, parts_.search, contacts_before_, parts_.fracture.get());
     // 1. The state and the loads that belong to this step's length and times.
-    const Start start = begin(scheme, attempt);
+    const Start start = begin(scheme, attempt, regretted);
 
     // 2 to 5. Contacts, their law, the bonds that fail: where the step leads.
     Course course = seek(scheme, attempt, report);
@@ -82,7 +82,8 @@ StepReport Stepper::dynamic_step(double most) {
       count_cut();
       continue;
     }
-    if (course.past || (plan_.contacts && step_size_.may_halve(dt) && turns_gain(scheme, course))) {
+    if (plan_.contacts && !course.past && step_size_.may_halve(dt)) course.turning_gain = turning_gain(scheme, course);
+    if (course.past || course.turning_gain > 1) {
       step_size_.halve(dt);
       count_cut();
       continue;
@@ -94,7 +95,10 @@ StepReport Stepper::dynamic_step(double most) {
     if (plan_.restitution) restitution.emplace(model_, parts_.contacts);
     const double gained = accept(scheme, course.d, contacts_at_start(), start.energies);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
-    if (start.changed && !regretted && gained > most_gain * start.energies->stored() && regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most)) {
+    const bool gains = start.energies && gained > most_gain * start.energies->stored();
+    if (regretted) {
+      step_size_.regretted(!gains);
+    } else if (gains && start.changed && regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most)) {
       regretted = true;
       count_cut();
       continue;
@@ -116,7 +120,7 @@ StepReport Stepper::dynamic_step(double most) {
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
     if (parts_.gas) parts_.gas->end_step(dt);
     for (Fixity& fixity : model_.scene.fixities) fixity.go_on(model_.time);
-    if (dt < most) step_size_.accepted(dt, course.far, course.turn, effort_, split_anew_);
+    if (dt < most) step_size_.accepted(dt, {course.far, course.turn, course.turning_gain}, effort_, split_anew_);
     half_done_ = false;
     report.dt = dt;
     return report;
@@ -131,6 +135,7 @@ void Stepper::shorten() {
 
 // Whether a step is to be taken again, as one of `last`. Not where outputs, rows of tables or the end would make it the same again.
 bool Stepper::regret(double dt, double last, double most) {
+  if (!step_size_.may_regret()) return false;
   const StepSize before = step_size_;
   step_size_.regret(dt, last);
   shorten();
@@ -139,7 +144,7 @@ bool Stepper::regret(double dt, double last, double most) {
   return false;
 }
 
-Stepper::Start Stepper::begin(const Scheme& scheme, Attempt& attempt) {
+Stepper::Start Stepper::begin(const Scheme& scheme, Attempt& attempt, bool regretted) {
   effort_ = split_anew_ = 0;
   released_ = {};
   if (judged_astray_) judge_again();
@@ -149,8 +154,8 @@ Stepper::Start Stepper::begin(const Scheme& scheme, Attempt& attempt) {
   Start start;
   const bool other = scheme.bond_ahead != ledger_.ahead, first = ledger_.ahead == 0;
   const auto moves = [this](int b) { return !stands_still(model_, b); };
-  if (other ? plan_.contacts || plan_.gravity : ledger_.unpaid > 0 && std::ranges::any_of(model_.awake_blocks(), moves))
-    start = {parts_.energies(), other && !first && !parts_.fracture};
+  if (other ? plan_.contacts || plan_.gravity : regretted || (ledger_.unpaid > 0 && std::ranges::any_of(model_.awake_blocks(), moves)))
+    start = {parts_.energies(), other && !first && plan_.contacts && !parts_.fracture};
   if (other) {
     attempt.keep_places();
     change_step(scheme.bond_ahead);
@@ -257,16 +262,18 @@ bool Stepper::overlooks(double dt, double displacement, const Vector& d) {
   return overlooked(model_, parts_.search, parts_.contacts, d, moved_, dt, displacement);
 }
 
-// Whether blocks turn in the step by so much that the work of their contacts is not what it was solved with.
-bool Stepper::turns_gain(const Scheme& scheme, const Course& course) {
+// What the work of contacts is other than the step was solved with, as blocks turn in it, of what it may be.
+double Stepper::turning_gain(const Scheme& scheme, const Course& course) {
   StepTimer timer(totals_, "update");
-  if (all_still()) return false;
+  if (all_still()) return 0;
   const double work = work_of_turning(model_, parts_.contacts, scheme, course.d, moved_, step_size_.straight());
-  if (work <= most_turning * ledger_.scale() || work <= most_turning * parts_.energies().stored()) return false;
+  double energy = ledger_.scale();
+  if (work <= StepSize::heeded_gain * most_turning * energy) return 0;
+  energy = std::max(energy, parts_.energies().stored());
   double fall = 0;  // J/m, what gravity puts in: in the first step there is nothing before it
   for (const int b : model_.awake_blocks())
     if (model_.shapes[b].dofs > 0) fall += model_.mass(b) * model_.scene.gravity.dot(moved_[b].shift - model_.blocks[b].shift);
-  return work > most_turning * std::abs(fall);
+  return work / (most_turning * std::max(energy, std::abs(fall)));
 }
 
 // Finds moved_ and its vertices in one pass over what is awake: of many blocks the states are more than caches hold. What sleeps is in it as it is.

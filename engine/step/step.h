@@ -43,6 +43,7 @@ class Stepper {
     bool woke = false;                     // something that sleeps, by what it throws
     double far = 0;                        // m, that bounds the step
     double turn = 0;                       // rad, the largest of what is pressed, where steps heed that
+    double turning_gain = 0;               // what turning leaves of energy, of what it may
     int crushed = -1;                      // block
     double released = 0;                   // J/m, by bonds that fail in it, but for what their contacts begin with
     std::optional<BridgeBooking> bridges;  // where bonds can fail
@@ -56,14 +57,14 @@ class Stepper {
     std::optional<Energies> energies;
     bool changed = false;
   };
-  Start begin(const Scheme& scheme, Attempt& attempt);
+  Start begin(const Scheme& scheme, Attempt& attempt, bool regretted);
   Course seek(const Scheme& scheme, Attempt& attempt, StepReport& report);
   void assemble(const Scheme& scheme);
   IslandResult solve(const Scheme& scheme, Vector& d);
   bool settled(const Scheme& scheme, const Vector& d);
   void lead(const Scheme& scheme, Course& course);
   bool overlooks(double dt, double displacement, const Vector& d);
-  bool turns_gain(const Scheme& scheme, const Course& course);
+  double turning_gain(const Scheme& scheme, const Course& course);
   void widen();
   void count(const IslandResult& result);
   // step/step_bonds.cpp

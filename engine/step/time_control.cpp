@@ -116,16 +116,17 @@ void StepSize::cut(double dt, double displacement) {
   if (displacement <= bound) cautious_ = caution_;
 }
 
-void StepSize::accepted(double dt, double displacement, double turn, double effort, double split_anew) {
+void StepSize::accepted(double dt, const Motion& motion, double effort, double split_anew) {
   if (dt < 0.5 * dt_) return;  // a short last step says nothing
   const bool split = heeds_splits_ && split_anew > part_split, split_again = split && since_split_ < caution_where_split;
   since_split_ = split ? 0 : std::min(since_split_ + 1, caution_where_split);
   if (split_again) cautious_ = std::max(cautious_, caution_where_split);
-  const double enough = turn > turning ? most_effort_turning : worth_;
+  const double enough = motion.turn > turning ? most_effort_turning : worth_;
   double growth = split_again || (effort > 2 * worth_ && dt > short_enough_) ? fall : effort > enough ? 1 : cautious_ > 0 ? careful_growth : growth_;
   if (cautious_ > 0) --cautious_;
   const double bound = automatic_ ? limit_ : thinnest_;
-  if (displacement > 0) growth = std::min(growth, std::max(automatic_ ? 0.5 : 1.0, 0.9 * bound / displacement));
+  if (motion.displacement > 0) growth = std::min(growth, std::max(automatic_ ? 0.5 : 1.0, 0.9 * bound / motion.displacement));
+  if (automatic_ && motion.turning_gain > 0) growth = std::min(growth, std::max(0.5, 0.8 / std::sqrt(motion.turning_gain)));
   dt_ = std::min(automatic_ ? dt * growth : dt_ * std::max(1.0, growth), most_);
 }
 

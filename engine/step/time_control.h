@@ -35,13 +35,22 @@ class StepSize {
   void stop_in(double seconds) {  // an automatic step, and the one before it is no short one
     if (automatic_ && seconds < 2 * dt_) dt_ = std::max(least_, seconds <= dt_ ? seconds : seconds / 2);
   }
-  // A change to `dt` from `last`: that length again, or half of dt where that is more, and then slowly on.
+  // A change to `dt` from `last`: that length again, or half of dt where that is more, and then slowly on. Where that did not help, as what swings gains in
+  // steps of any length, not again meanwhile: steps would only ever become shorter.
+  bool may_regret() const { return regrets_help_ || cautious_ == 0; }
+  void regretted(bool helped) { regrets_help_ = helped; }
   void regret(double dt, double last) {
     dt_ = std::clamp(last, std::max(least_, dt / 2), most_);
     cautious_ = caution_;
   }
-  // turn: rad, of what is pressed. effort: what the solution took, in factors. split_anew: part of what moves whose contacts only the splitting solved, where it did not before.
-  void accepted(double dt, double displacement, double turn, double effort, double split_anew);
+  struct Motion {
+    double displacement;  // m
+    double turn;          // rad, of what is pressed
+    double turning_gain;  // energy that turning leaves, by the square of the step, of what it may; 0 below heeded_gain
+  };
+  // effort: what the solution took, in factors. split_anew: part of what moves whose contacts only the splitting solved, where it did not before.
+  void accepted(double dt, const Motion& motion, double effort, double split_anew);
+  static constexpr double heeded_gain = 0.2;  // of which a step that grows by half makes less than a half
   double least() const { return least_; }
   bool is_least(double dt) const { return dt <= least_ * (1 + 2 * as_good_as); }
   // The bounds come from the scene; a restart may have set others.
@@ -49,6 +58,7 @@ class StepSize {
   void visit_state(Visitor& visitor) {
     visitor("dt", dt_);
     visitor("cautious", cautious_);
+    visitor("regrets_help", regrets_help_);
     visitor("since_split", since_split_);
     dt_ = std::min(dt_, most_);
   }
@@ -67,6 +77,7 @@ class StepSize {
   double short_enough_ = 0;  // s, not shortened for what it takes
   bool heeds_splits_ = true, heeds_turns_;
   int cautious_ = 0;  // steps still to be grown slowly
+  bool regrets_help_ = true;
   int since_split_;   // steps since one that accepted() was told of with split_anew
   double every_;  // s, between outputs, which an automatic step does not pass; 0: none
 };
