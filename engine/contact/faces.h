@@ -34,7 +34,7 @@ struct Surface;  // contact/detection.h
 class Faces {
  public:
   void find(const Model& model, const Surface& surface, const std::vector<std::pair<int, int>>& near);
-  const Face& operator[](int edge) const { return faces_[size_t(edge)]; }                // global
+  const Face& operator[](int edge) const { return faces_[size_t(edge)]; }             // global
   const OutlineCorner& corner(int vertex) const { return corners_[size_t(vertex)]; }  // global
   const Pressing& pressing(int block) const { return pressing_[size_t(block)]; }
 

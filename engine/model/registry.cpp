@@ -134,7 +134,7 @@ void visit_charges(Scene& scene, StateVisitor& v) {
 }
 
 void visit_state(BlockState& state, StateVisitor& v) {
-  // Seven members and no more, by name: bindings go by their order. Bend and its rates: see Bends.
+  // Six members and no more, by name: bindings go by their order. Bend and its rates: see Bends.
   [[maybe_unused]] const auto& [first_member, second, third, fourth, fifth, sixth] = state;
   v("shift", state.shift);
   v("centroid", state.centroid);

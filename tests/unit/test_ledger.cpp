@@ -45,6 +45,36 @@ TEST(Ledger, FreeFall) {
   EXPECT_NEAR(e.scale, 64, 1e-9);
 }
 
+// A shorter step has y = X + ahead·v of what falls higher by Δahead·v; that is no energy until losses, here ahead·Δt m g² a step, have paid for it.
+TEST(Ledger, AShorterStepLiftsWhatFallsForNothing) {
+  Scene scene = moving(0.3);
+  scene.gravity = {0, -8};
+  Simulation simulation(scene);
+  std::vector<double> total;
+  while (!simulation.finished()) {
+    simulation.step();
+    total.push_back(simulation.energies().total);
+  }
+  ASSERT_NEAR(simulation.last.dt, 0.1, 1e-12);
+  const double m = 2, g = 8, lost = m * g * 0.25 * 0.3 * g * 0.9;
+  ASSERT_EQ(total.size(), 4);
+  EXPECT_NEAR(total[2], -lost, 1e-9);
+  EXPECT_NEAR(total[3], -lost, 1e-9);
+  EXPECT_NEAR(simulation.energies().unexplained, 0, 1e-9);
+}
+
+TEST(Ledger, PaysWithWhatIsLostAndNoMore) {
+  Ledger ledger;
+  ledger.unpaid = 5;
+  EXPECT_EQ(ledger.pay(-1), 0);  // a gain
+  EXPECT_EQ(ledger.pay(2), 2);
+  EXPECT_EQ(ledger.pay(4), 3);
+  EXPECT_EQ(ledger.unpaid, 0);
+  ledger.unpaid = -5;  // lowered
+  EXPECT_EQ(ledger.pay(0), -5);
+  EXPECT_EQ(ledger.unpaid, 0);
+}
+
 // A mass on a spring loses (θ-½)(k Δy² + m Δv²) a step; stepped here by the formula of the scheme alone.
 TEST(Ledger, OscillatorLosesByTheFormula) {
   for (const double theta : {0.5, 0.75, 1.0}) {
