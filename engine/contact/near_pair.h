@@ -207,8 +207,11 @@ class NearPair {
   // the face is no depth then. Also where the corner is on that side, if it looks away from the face; one that stands up from it ends there.
   bool behind(int be, int e, const Face& face, const Vec2& p) const {
     const Vec2 foot = p - face.gap(p) * face.normal;
+    const auto across_a_notch = [&](int f) {  // under the face the block goes on there
+      return (f == next(be, e) && !convex(be, f)) || (next(be, f) == e && !convex(be, e));
+    };
     for (int f = 0; f < model_.vertex_count(be); ++f) {
-      if (f == e || !free(be, f)) continue;
+      if (f == e || !free(be, f) || across_a_notch(f)) continue;
       const Face& far = edge(be, f);
       const double from = far.gap(foot), to = far.gap(p);
       if (from > meeting() || to <= (looks_away(far, face) ? -meeting() : meeting()) || to <= from) continue;
