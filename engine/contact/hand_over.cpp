@@ -42,6 +42,7 @@ void carry(const Contact& from, Contact& to) {
   to.load_normal = from.load_normal;
   to.load_shear = from.load_shear;
   to.load_slip = from.load_slip;
+  to.load_climb = from.load_climb;
   to.coheres = from.coheres;
 }
 

@@ -24,6 +24,15 @@ ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int lo
   return poses.blocks[block].rows<n>(model.reference_vertex[v], poses.vertex[v], m).transpose() * direction;
 }
 
+}  // namespace
+
+double full_climb(const Model& model, const Contact& contact, double way) {
+  const double size = std::min(model.shapes[contact.i].length, model.shapes[contact.j].length);
+  return std::min(contact.height / std::max(climbed_within * size, 2 * way), std::max(steepest_climb, 2 * contact.height / size));
+}
+
+namespace {
+
 // A corner that has come on to a face which lies higher climbs to that as it slides on: the height, which its offset keeps from
 // being a load, goes, and the force is that of the slope, so that what slides pays for what is lifted (theory, § 5). Which way it
 // slides its friction says, also of what slips at rest; without friction the speed does.
@@ -32,11 +41,9 @@ double climb(const Model& model, const Contact& contact, double sliding, double 
   // What the slope helps to hold would slide without it: in a search for equilibrium it would come and go.
   if (contact.state != ContactState::slip) return dt > 0 ? 0 : contact.slope;
   const double way = contact.shear_force != 0 ? contact.shear_force : sliding;
-  const double size = std::min(model.shapes[contact.i].length, model.shapes[contact.j].length);
-  const double slope = contact.height / std::max(climbed_within * size, 2 * std::abs(sliding) * dt);
   double most = of_friction * std::abs(contact.shear_force);  // N
   if (dt > 0 && sliding * way > 0) most = std::max(most, of_momentum * std::min(model.mass(contact.i), model.mass(contact.j)) * std::abs(sliding) / dt);
-  return std::copysign(std::min({slope, std::max(steepest_climb, 2 * contact.height / size), most / contact.normal_force}), way);
+  return std::copysign(std::min(full_climb(model, contact, std::abs(sliding) * dt), most / contact.normal_force), way);
 }
 
 void add_slope(ContactRows& row) {

@@ -12,6 +12,9 @@ namespace talus {
 // m, that a gap may be off as the difference of two places: these are as large as the scene, or as far from its middle as they are.
 double rounding_of_gap(const Model& model, const Contact& contact);
 
+// By how much what slides `way`, m, rises for each m of it towards the height of the face that it has come on to, where nothing holds it back.
+double full_climb(const Model& model, const Contact& contact, double way);
+
 struct ContactScalars {
   int i, j;  // blocks
   int dof_i, dof_j, size_i, size_j;

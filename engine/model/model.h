@@ -224,8 +224,9 @@ struct Contact {
   double lifted = 0;                  // m/s, by which it may part faster, as it has come to that while it was open
   double parting = 0;                 // m/s, at which its bodies did, as rigid ones, at the end of the last step; where a restitution is below 1
   double deeper = 0;                  // m, that it lies deeper than the contact it has taken over from before this step
-  // N, N, m: of a static run, at the end of the last load step; no number: has taken over from another contact since.
-  double load_normal = 0, load_shear = 0, load_slip = 0;
+  // N, N, m: of a static run, at the end of the last load step; no number: has taken over from another contact since;
+  // and what it was lifted by after that one.
+  double load_normal = 0, load_shear = 0, load_slip = 0, load_climb = 0;
   bool coheres = false;               // in a search for equilibrium that keeps it: whatever presses it now
   // What the contact cannot hold of its sliding is slip: at the end of a step; of a load step, where friction goes by the way from
   // its start, whichever way the search for equilibrium takes (backward Euler), or else of each solve of the search.

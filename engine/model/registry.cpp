@@ -228,7 +228,7 @@ void visit_state(Strength& strength, StateVisitor& v) {
 void visit_state(Contact& contact, StateVisitor& v) {
   // coheres: begins anew with each search.
   [[maybe_unused]] auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset, height, slope, lies, stretch, slip, slid,
-                          normal_force, shear_force, may_part, parts, lifted, parting, deeper, load_normal, load_shear, load_slip, coheres, global_vertex, global_edge] = contact;
+                          normal_force, shear_force, may_part, parts, lifted, parting, deeper, load_normal, load_shear, load_slip, load_climb, coheres, global_vertex, global_edge] = contact;
   v("i", i);
   v("vertex", vertex);
   v("j", j);
@@ -258,6 +258,7 @@ void visit_state(Contact& contact, StateVisitor& v) {
   v("load_normal", load_normal);
   v("load_shear", load_shear);
   v("load_slip", load_slip);
+  v("load_climb", load_climb);
   v("global_vertex", global_vertex);
   v("global_edge", global_edge);
 }

@@ -9,9 +9,6 @@ namespace {
 bool always(const Plan&) {
   return true;
 }
-bool with_motion(const Plan& plan) {
-  return plan.dynamic;
-}
 bool with_dashpots(const Plan& plan) {
   return plan.viscous && plan.dynamic;
 }
@@ -48,7 +45,7 @@ std::span<const EnergyTerm> energy_terms() {
       {"fracture", "fracture_work", "fracture", EnergyTerm::lost, &Energies::fracture, "released by bonds that failed, and by static rock that jumps as they do",
        [](const Plan& plan) { return plan.fracture; }},
       {"numerical", "numerical_loss", "integrator", EnergyTerm::lost, &Energies::numerical,
-       "lost to the integrator, by its formula", with_motion},
+       "lost to the integrator, by its formula; in static runs what contacts give off at once, less what lifts those that climb without friction", [](const Plan& plan) { return plan.dynamic || plan.contacts; }},
       {"unexplained", "unexplained_energy", "unexplained", EnergyTerm::rest, &Energies::unexplained,
        "what is left: total - its start - work put in + losses", always},
   };

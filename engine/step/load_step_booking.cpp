@@ -5,6 +5,7 @@
 
 #include "equations/block_terms.h"
 #include "equations/boundary_terms.h"
+#include "equations/contact_terms.h"
 
 namespace talus {
 
@@ -79,15 +80,28 @@ void LoadStepBooking::book(Model& model, const Supports& supports, Ledger& ledge
   }
   if (change_) ledger.external_work += change_->work(model, moved);
   book_friction(model, driven, ledger);
+  book_climbs(model, ledger);
   ledger.keep_largest();
 }
 
-void LoadStepBooking::book_friction(Model& model, bool driven, Ledger& ledger) const {
-  for (Contact& c : model.contacts) {
+void LoadStepBooking::book_friction(const Model& model, bool driven, Ledger& ledger) const {
+  for (const Contact& c : model.contacts) {
     if (c.state != ContactState::open && c.slip != c.load_slip) {
       const double limit = std::abs(c.shear_force), before = unloaded_ ? 0 : driven ? began_against(model, c, limit) : std::isnan(c.load_shear) ? limit : std::abs(c.load_shear);
       ledger.friction_work += (before + limit) / 2 * std::abs(c.slip - c.load_slip);
     }
+  }
+}
+
+// What friction is too little to pay for, up a slope that turns back nothing, is lifted after the load step, under the mean of the forces before and after: none of a drive's, so that
+// smooth faces stay smooth.
+void LoadStepBooking::book_climbs(Model& model, Ledger& ledger) {
+  for (Contact& c : model.contacts) {
+    if (c.load_climb > 0) ledger.numerical_flow -= ((std::isnan(c.load_normal) ? c.normal_force : c.load_normal) + c.normal_force) / 2 * c.load_climb;
+    const double slid = c.state == ContactState::slip && c.height > 0 ? std::abs(c.slip - c.load_slip) : 0;
+    c.load_climb = slid > 0 ? std::clamp(slid * (full_climb(model, c, slid) - std::abs(c.slope)), 0.0, c.height) : 0;
+    c.offset -= c.load_climb;
+    c.height -= c.load_climb;
     c.load_normal = c.normal_force;
     c.load_shear = c.shear_force;
     c.load_slip = c.slip;

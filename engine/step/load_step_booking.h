@@ -21,7 +21,8 @@ class LoadStepBooking {
   };
   static std::vector<Force> forces(const Model& model, double time);
   static std::vector<Vec2> weights(const Model& model);
-  void book_friction(Model& model, bool driven, Ledger& ledger) const;
+  void book_friction(const Model& model, bool driven, Ledger& ledger) const;
+  static void book_climbs(Model& model, Ledger& ledger);
 
   bool unloaded_;
   std::vector<Force> forces_;

@@ -27,6 +27,9 @@ bool flown_off(const Model& model) {
   return std::ranges::any_of(model.blocks, [&](const BlockState& block) { return !(block.shift.norm() < 100 * model.extent); });
 }
 
+// J/m, by contacts.
+double lost(const Ledger& ledger) { return ledger.friction_work + ledger.numerical_flow; }
+
 class Unstressed {  // blocks without their initial stress, while this lives
  public:
   explicit Unstressed(Model& model) : model_(model), quadratic_(model.quadratic_shapes) {
@@ -117,11 +120,13 @@ bool LoadSteps::load_part(LoadPath& path, const ConstantsWay* constants, bool fo
   book(booking, first);
   if (attempt) {
     const double after = parts_.energies().unexplained;
-    const double off = closure ? closure->work(model_, ledger_.friction_work - before.friction_work) : rest - after;
-    if (trapezoid_of(path, {off, after}, before, ledger_, model_.scene.time) == Trapezoid::too_long) {
+    const double off = closure ? closure->work(model_, lost(ledger_) - lost(before)) : rest - after;
+    const Trapezoid trapezoid = trapezoid_of(path, {off, after}, before, ledger_, model_.scene.time);
+    if (trapezoid == Trapezoid::too_long) {
       ledger_ = before;
       return false;
     }
+    if (closure && trapezoid == Trapezoid::jumps && off > 0) ledger_.numerical_flow += off;
     attempt->keep();
   }
   if (constants) constants_before_ = constants_of(model_.scene);
@@ -222,7 +227,7 @@ bool LoadSteps::book(const IncrementBooking& booking, LoadPath& path, bool jumpe
   const Ledger ledger = ledger_;
   book(booking.loads, booking.first);
   booking.bridges.book(model_, ledger_);
-  const double off = booking.closure.work(model_, ledger_.friction_work - ledger.friction_work);
+  const double off = booking.closure.work(model_, lost(ledger_) - lost(ledger));
   const Trapezoid trapezoid = trapezoid_of(path, {off, parts_.energies().unexplained}, ledger, ledger_, model_.scene.time);
   if (!jumped && trapezoid == Trapezoid::too_long) {
     ledger_ = ledger;
@@ -251,10 +256,10 @@ StepReport LoadSteps::break_bonds(const std::vector<int>& due) {
   if (equilibrium_.balance(search)) {
     at_failure.keep();
     report = search.report;
-    const double friction = ledger_.friction_work;
+    const double before = lost(ledger_);
     booking.book(model_, parts_.supports, ledger_);
     constants_before_ = {};
-    ledger_.fracture_work += released + closure.work(model_, ledger_.friction_work - friction);
+    ledger_.fracture_work += released + closure.work(model_, lost(ledger_) - before);
     bridges.book(model_, ledger_);
     parts_.fracture->weaken();
     parts_.fracture->judge();

@@ -54,13 +54,14 @@ for _, case in ipairs { {1e10, 1, mu, 0}, {1e9, 1, mu, 0}, {1e9, 4, mu, 0}, {1e1
   check.equal(label .. "cuts", sim.totals.cuts, 0)
 end
 
-for _, case in ipairs { {1e10}, {1e9}, {1e9, 5e4}, {1e9, 1e6} } do
-  local young, pressure = table.unpack(case)
-  local sim = scene(young, 1, mu, 0, { mode = "static", t_end = 3, steps = 200 },
+for _, case in ipairs { {1e10, mu}, {1e9, mu}, {1e9, mu, 5e4}, {1e9, mu, 1e6}, {1e9, 0}, {1e9, 0, 1e6}, {1e9, 1e-5} } do
+  local young, friction, pressure = table.unpack(case)
+  local sim = scene(young, 1, friction, 0, { mode = "static", t_end = 3, steps = 200 },
     { region = "sled", on = "left", x = true, displacement = { {{0, 0}, {0.02, 0}, {1, 2}, {2, 0}, {3, 2}}, 0 } }, pressure)
   local seen = follow(sim)
   local compression = (density*g*0.5*long + (pressure or 0))/young
-  local label = string.format("drawn over columns of %g GPa%s, static: ", young/1e9, pressure and string.format(", under %g kPa", pressure/1e3) or "")
+  local label = string.format("drawn over columns of %g GPa%s%s, static: ", young/1e9, friction ~= mu and string.format(", friction %g", friction) or "",
+    pressure and string.format(", under %g kPa", pressure/1e3) or "")
   check.below(label .. "highest, of the columns' compression", seen.high/compression, 0.35)
   check.below(label .. "deepest, of it", -seen.low/compression, 0.35)
   check.below(label .. "unexplained, largest, of the scale", seen.unexplained, 0.01)
