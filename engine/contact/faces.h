@@ -13,6 +13,7 @@ struct Face {
   double length;
   double gap(const Vec2& p) const { return normal.dot(p - from); }
   double position(const Vec2& p) const { return along.dot(p - from); }
+  Vec2 at(double position) const { return from + position * along; }
 };
 
 // A corner on the outline of its body.

@@ -52,6 +52,7 @@ class NearPair {
   int next(int block, int local) const { return model_.next_vertex(block, local); }
   int previous(int block, int local) const { return local == 0 ? model_.vertex_count(block) - 1 : local - 1; }
   const Face& edge(int block, int local) const { return faces_[global(block, local)]; }
+  const Face& edge(const OutlineEdge& side) const { return edge(side.block, side.edge); }
 
   bool free(int block, int edge) const { return surface_.free_edge[model_.shapes[block].vertex_begin + edge]; }
   bool free(const OutlineEdge& side) const { return free(side.block, side.edge); }
@@ -188,11 +189,14 @@ class NearPair {
   bool convex(int block, int v) const { return corner(block, v).turn > 0; }
 
   // Whether a corner at the place `s` along edge `e` of `be` is on it. At an inner corner the edge goes on under the
-  // wall, where a corner that presses on both is.
+  // wall, where a corner that presses on both is, and ends where the wall does: what falls past a thin one outside is not held by the floor inside.
   bool within(int be, int e, double s, double length) const { return within(be, e, s, length, corner_part * length); }
   bool within(int be, int e, double s, double length, double slack) const {
-    if (s < -slack) return -s < under_wall(be, e) && inner(be, e);
-    if (s > length + slack) return s - length < under_wall(be, next(be, e)) && inner(be, next(be, e));
+    const auto in_wall = [&](int v, double beyond, const OutlineEdge& wall) {
+      return beyond < under_wall(be, v) && inner(be, v) && !behind(wall.block, wall.edge, edge(wall), edge(be, e).at(s));
+    };
+    if (s < -slack) return in_wall(e, -s, arriving(be, e));
+    if (s > length + slack) return in_wall(next(be, e), s - length, leaving(be, next(be, e)));
     return true;
   }
   // m, by which what presses `deep` may have come beyond the end of an edge and still be on it: shear that goes over from one of two corners that press on each other
