@@ -49,11 +49,14 @@ void drop_points(const Model& model, const std::vector<MeetingCorners>& meeting,
   });
 }
 
-bool convex(const Model& model, int block) {
-  const Vec2* const corners = &model.reference_vertex[size_t(model.shapes[size_t(block)].vertex_begin)];
-  for (int v = 0; v < model.vertex_count(block); ++v) {
-    const int next = model.next_vertex(block, v);
-    if (cross(corners[next] - corners[v], corners[model.next_vertex(block, next)] - corners[next]) <= 0) return false;
+std::span<const Vec2> reference_outline(const Model& model, int block) {
+  return std::span(model.reference_vertex).subspan(size_t(model.shapes[size_t(block)].vertex_begin), size_t(model.vertex_count(block)));
+}
+
+bool convex(std::span<const Vec2> corners) {
+  for (size_t v = 0; v < corners.size(); ++v) {
+    const Vec2 &next = corners[(v + 1) % corners.size()], &then = corners[(v + 2) % corners.size()];
+    if (cross(next - corners[v], then - next) <= 0) return false;
   }
   return true;
 }
@@ -129,14 +132,18 @@ void ContactSearch::find_surface(const Model& model) {
   bond_corners(model, surface_.bonded);
   find_outlines(model);
   surface_blocks_.clear();
-  surface_.convex.clear();
+  const bool first = surface_.convex.empty();
   surface_.whole.clear();
   least_length_ = std::numeric_limits<double>::infinity();
   for (size_t b = 0; b < model.shapes.size(); ++b) {
     const auto edges = std::span(surface_.free_edge).subspan(size_t(model.shapes[b].vertex_begin), size_t(model.vertex_count(int(b))));
     const auto free = std::count(edges.begin(), edges.end(), 1);
     if (free > 0) surface_blocks_.push_back(int(b));
-    surface_.convex.push_back(convex(model, int(b)));
+    if (first) {
+      const std::span<const Vec2> outline = reference_outline(model, int(b));
+      surface_.convex.push_back(convex(outline));
+      if (!surface_.convex.back()) surface_.parts.emplace(int(b), convex_parts({outline.begin(), outline.end()}));
+    }
     least_length_ = std::min(least_length_, model.shapes[b].length);
     surface_.whole.push_back(size_t(free) == edges.size());
   }

@@ -2,12 +2,14 @@
 // Which vertices may meet which edges during the next step of `dt` seconds.
 #include <algorithm>
 #include <cstdint>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "contact/box_grid.h"
 #include "contact/faces.h"
+#include "geometry/convex_parts.h"
 #include "model/model.h"
 
 namespace talus {
@@ -49,10 +51,12 @@ struct Surface {
   std::vector<int> joint;          // open joint whose face begins here, or -1
   std::vector<char> free_edge;     // no intact joint covers the edge that begins here; others cannot touch
   std::vector<char> convex;        // by block
+  std::unordered_map<int, std::vector<ConvexPart>> parts;  // of those that are not
   std::vector<char> whole;         // by block: all its edges are free
   std::vector<OutlineEdge> leaving, arriving;  // sides of the outline that meet in the corner, of blocks of the same body round it: what the
                                         // body is at a corner, of which one block is only a part
   std::unordered_set<std::int64_t> bonded;  // pairs glued along an edge, or round a corner they share
+  const std::vector<ConvexPart>* parts_of(int block) const { return convex[size_t(block)] ? nullptr : &parts.at(block); }
   bool together(int a, int b) const { return bonded.contains(pair_key(a, b)); }
 };
 

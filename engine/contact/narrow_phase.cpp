@@ -203,11 +203,12 @@ void drop_twins(const NearPair& pair, size_t first, std::vector<Contact>& found)
 // Where blocks lie in each other and none of these contacts is as deep, as with thin tips that have gone through each other, they stand by the
 // face that is to be left by the shortest way.
 void least_deep(const NearPair& pair, const Model& model, size_t first, std::vector<Contact>& found) {
-  if (!pair.both_convex()) return;
-  const std::array blocks{pair.i(), pair.j()};
-  const auto out = way_out({model.vertex_count(blocks[0]), model.vertex_count(blocks[1])}, pair.meeting(), [&](int of, int face, int corner) {
-    return pair.edge(blocks[size_t(of)], face).gap(pair.vertex(blocks[size_t(1 - of)], corner));
-  });
+  const std::array blocks{pair.i(), pair.j()}, corners{model.vertex_count(blocks[0]), model.vertex_count(blocks[1])};
+  const std::array parts{pair.parts_of(blocks[0]), pair.parts_of(blocks[1])};
+  const auto out = parts[0] || parts[1] ? way_out(parts, corners, pair.meeting(), [&](int of, int corner) { return pair.vertex(blocks[size_t(of)], corner); })
+                                        : way_out(corners, pair.meeting(), [&](int of, int face, int corner) {
+                                            return pair.edge(blocks[size_t(of)], face).gap(pair.vertex(blocks[size_t(1 - of)], corner));
+                                          });
   if (!out) return;
   const auto knows = [&](const Contact& c) { return c.gap <= known_part * out->gap; };
   if (std::any_of(found.begin() + long(first), found.end(), knows)) return;

@@ -171,7 +171,7 @@ class NearPair {
 
   bool plain(int block) const { return surface_.whole[size_t(block)] && surface_.convex[size_t(block)]; }
   bool together(int a, int b) const { return surface_.together(a, b); }
-  bool both_convex() const { return surface_.convex[size_t(i_)] && surface_.convex[size_t(j_)]; }
+  const std::vector<ConvexPart>* parts_of(int block) const { return surface_.parts_of(block); }
 
   // Whether the outline turns inwards at corner `v` of `block`; outwards. Inwards also by little, where what goes by would come to lie under the face beyond.
   bool inner(int block, int v) const {

@@ -227,22 +227,17 @@ class Hindsight {
     return false;
   }
 
-  // m, that two convex blocks lie in each other, or 0 where it is no more than `enough` or where their bodies hide the way out.
+  // m, that two blocks lie in each other, or 0 where it is no more than `enough` or where their bodies hide the way out.
   double lie_in(int a, int b, Place place, double enough) {
     const std::array blocks{a, b};
     const std::array<const Polyline*, 2> outlines{&outline(a, place).corners, &outline(b, place).corners};
-    const auto out = way_out({model_.vertex_count(a), model_.vertex_count(b)}, enough, [&](int of, int face, int corner) {
-      const Polyline& faces = *outlines[size_t(of)];
-      const Vec2 &from = faces[size_t(face)], side = faces[size_t(model_.next_vertex(blocks[size_t(of)], face))] - from;
-      return cross((*outlines[size_t(1 - of)])[size_t(corner)] - from, side) / side.norm();
-    });
+    const auto out = way_out({search_.surface().parts_of(a), search_.surface().parts_of(b)}, {model_.vertex_count(a), model_.vertex_count(b)}, enough,
+                             [&](int of, int corner) -> const Vec2& { return (*outlines[size_t(of)])[size_t(corner)]; });
     if (!out || !search_.surface().free_edge[size_t(model_.shapes[size_t(blocks[size_t(out->of)])].vertex_begin + out->face)]) return 0;
     return -out->gap;
   }
   // Whether two blocks have come into each other, be it with all of their corners outside, as tips that cross.
   bool crosses(int a, int b, double known) {
-    const std::vector<char>& convex = search_.surface().convex;
-    if (!convex[size_t(a)] || !convex[size_t(b)]) return false;
     const double enough = known + tolerance(a, b);
     for (const Place place : {after, judged}) {
       if (far(a, b, place)) continue;

@@ -166,6 +166,16 @@ TEST(Contacts, TipsThatHaveGoneThroughEachOther) {
   EXPECT_NEAR(model.contacts[0].offset, depth, 1e-12);
 }
 
+// A tip that has gone right through the foot of an L, 0.2 thick, none of its own corners in it.
+TEST(Contacts, TipThroughABlockThatIsNotConvex) {
+  const Polyline l = {{0, 0}, {4, 0}, {4, 0.2}, {0.2, 0.2}, {0.2, 4}, {0, 4}}, tip = {{2, -0.05}, {2.05, 3}, {1.95, 3}};
+  const Model model = overlapping(l, tip);
+  ASSERT_EQ(model.contacts.size(), 1u);
+  const Contact& c = model.contacts[0];
+  EXPECT_EQ(std::make_tuple(c.i, c.vertex, c.j, c.edge), std::make_tuple(1, 0, 0, 2));
+  EXPECT_NEAR(c.gap, -0.25, 1e-12);
+}
+
 // However convex blocks have come to lie in each other, one of their contacts knows of it.
 TEST(Contacts, NoneOverlapWithoutAContact) {
   std::mt19937 random(7);
@@ -205,6 +215,16 @@ TEST(Contacts, NonConvexBlocks) {
   }
   EXPECT_EQ(edges, (std::set<int>{3, 4, 5}));
   EXPECT_EQ(model.contacts.size(), 6u);
+}
+
+// Nor does one beside it, whose walls are thinner than what presses on floor and wall may be under the wall.
+TEST(Contacts, FloorEndsWithTheWallOnIt) {
+  const Polyline bin = {{0, 0}, {4, 0}, {4, 3}, {3.9, 3}, {3.9, 1}, {0.1, 1}, {0.1, 3}, {0, 3}};
+  for (const double y : {0.99, 1.0, 1.01}) {
+    const Model model = searched({bin, rectangle(4.01, y, 1, 1)});
+    EXPECT_GT(model.contacts.size(), 0u);
+    for (const Contact& c : model.contacts) EXPECT_EQ(c.edge, c.j == 0 ? 1 : 3) << y;
+  }
 }
 
 // Blocks round a corner of the boundary that points into the rock face each other, and hang together all the same.

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "geometry/convex_parts.h"
 #include "geometry/polygon.h"
 #include "hand_model.h"
 
@@ -194,6 +195,19 @@ TEST(ClipToBox, IsTheRangeInside) {
   EXPECT_EQ(*part, std::pair(1.0, 2.0));
   EXPECT_FALSE(clip_to_box({0, 1}, {1, 1}, -9, 9, box).has_value());  // touches a corner
   EXPECT_FALSE(clip_to_box({0, 2}, {1, 0}, -9, 9, box).has_value());
+}
+
+TEST(ConvexParts, AreConvexAndAllThereIs) {
+  for (const Polyline& whole : {l_shape, shifted(l_shape, {3, 4}, 0.3, 1e-3), star(5), star(11), Polyline{{0, 0}, {1, 0}, {2, 0}, {2, 1}}}) {
+    double area = 0;
+    for (const ConvexPart& part : convex_parts(whole)) {
+      Polyline corners;
+      for (const int k : part) corners.push_back(whole[size_t(k)]);
+      EXPECT_NEAR(signed_area(convex_hull(corners)), signed_area(corners), 1e-12 * signed_area(whole));
+      area += signed_area(corners);
+    }
+    EXPECT_NEAR(area, signed_area(whole), 1e-12 * area);
+  }
 }
 
 }  // namespace
