@@ -42,6 +42,7 @@ class Hiding {
     const double s = along.dot(at - from) / length + (c.gap > 0 && closing > 0 ? along.dot(rate) / length * c.gap / closing : 0);  // where it comes to the edge's line
     if (s > flush && s < length - flush) return false;
     const int end = s <= flush ? c.global_edge : outline_.last({c.j, c.edge});
+    if (outline_.turn(end) < -parallel_sine) return false;  // it ends at a wall of its own
     const auto carried = [&](int above, int below) {
       const auto lies_under = [&](const Contact& k, double up) {  // the surface is the edge of k, its normal up times outwards
         if (std::abs(k.gap) > flush) return false;

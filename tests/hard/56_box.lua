@@ -33,6 +33,21 @@ talus.check.below("tip at the wall: deepest beside another block, m", beside, (t
 talus.check.near("tip at the wall: deepest beside another block, over alone", beside/alone, 1, { abs = 1e-6 })
 talus.check.near("tip at the wall: where the wedge comes to be, over alone", at_beside[1]/at_alone[1], 1, { abs = 1e-6 })
 
+-- A needle falls on its tip along a wall into the corner of the box, a block's corner at its other face or not. That block was taken for one that carries the needle there,
+-- and the floor for the end of a piece under its face: the tip fell on, by a hundredth of its size.
+for _, beside in ipairs {false, true} do
+  local speed, dt, high = 1, 1e-3, 1e-3
+  local regions = { talus.region { name = "box", outline = { {-0.5, -0.5}, {3, -0.5}, {3, 0}, {0, 0}, {0, 3}, {-0.5, 3} }, material = rock, held = true },
+                    talus.region { name = "needle", outline = { {0, high}, {0.04, 2 + high}, {0, 2 + high} }, material = rock, velocity = {0, -speed} } }
+  if beside then
+    regions[3] = talus.region { name = "beside", outline = { {0.02*(1 - high), 1}, {1, 0.9}, {1, 1.5}, {0.3, 1.5} }, material = rock, velocity = {-0.01, -speed} }
+  end
+  local sim = talus.simulation { gravity = {0, -tools.g}, contact = talus.joint { friction = 0 }, regions = regions, time = { t_end = 0.05, dt = dt }, output = { vtk = false, picture = false } }
+  local low = 0
+  for _ in sim:steps() do low = math.max(low, -sim.blocks[2].vertices[1][2]) end
+  talus.check.below("a needle's tip in the corner, " .. (beside and "beside another block" or "alone") .. ": deepest in the floor, m", low, (theta - 0.5)*dt*speed)
+end
+
 for _, wall in ipairs {0.02, 0.05, 0.1} do
   local outside, time = 1 + wall + 0.005, 0.65
   local sim = talus.simulation { gravity = {0, -tools.g}, contact = talus.joint { name = "smooth", friction = 0 }, output = { vtk = false, picture = false },
