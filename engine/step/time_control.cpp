@@ -81,6 +81,7 @@ StepSize::StepSize(const Model& model, bool contacts) : caution_(caution), worth
   limit_ = time.displacement_ratio * model.extent;
   automatic_ = time.dt == 0;
   heeds_turns_ = automatic_ && contacts;
+  straight_ = automatic_ ? 1e-4 : 1e-3;
   thinnest_ = contacts && !automatic_ ? thinnest_thing(model) : std::numeric_limits<double>::infinity();
   every_ = model.scene.output.every;
   end_ = time.t_end;
@@ -94,6 +95,7 @@ void StepSize::among_cracks() {
   worth_ = most_effort_among_cracks;
   growth_ = growth_among_cracks;
   heeds_splits_ = heeds_turns_ = false;  // a chip that spins is not worth it
+  straight_ = 0.01;
 }
 
 void StepSize::broken(const Model& model) {

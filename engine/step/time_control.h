@@ -22,8 +22,8 @@ class StepSize {
   double as_far_as(double turn) const { return turn / most_turn * limit_; }
   bool heeds_turns() const { return heeds_turns_; }
   // rad: where all turn by less in a step, the lever of a contact comes and goes with half the square of it. What topples from near its
-  // balance has no more energy than that at first; a step that was given, or is among cracks, is not halved for so little.
-  double straight() const { return heeds_turns_ ? 1e-4 : 0.01; }
+  // balance has no more energy than that at first; a step that was given, and even more one among cracks, is not halved for so little.
+  double straight() const { return straight_; }
   bool too_far(double displacement) const { return displacement > (automatic_ ? 2 * limit_ : thinnest_); }
   void cut(double dt, double displacement);  // after an attempt of `dt` that was thrown away
   // An attempt whose contacts were not those that it came to meet is taken again in half of it.
@@ -76,6 +76,7 @@ class StepSize {
   double growth_;     // of a step that went well
   double short_enough_ = 0;  // s, not shortened for what it takes
   bool heeds_splits_ = true, heeds_turns_;
+  double straight_;
   int cautious_ = 0;  // steps still to be grown slowly
   bool regrets_help_ = true;
   int since_split_;   // steps since one that accepted() was told of with split_anew

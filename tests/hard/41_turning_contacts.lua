@@ -2,7 +2,7 @@
 -- that turns below a block drawn into it: what turns as one does not slide.
 -- Source: conservation; objectivity. Ours: shear acted on one block at its corner and on the other at the foot below, which left a couple of the force times
 -- the gap, 3e-3 of the angular momentum at 10 ms; impulses of restitution acted where blocks had been in the middle of the step; and a block
--- slid by its overlap times the turn. (1 s CPU)
+-- slid by its overlap times the turn. In given steps what turns by less than 0.01 rad was not looked at: one step of three rigid stars in a bin left 2.3 % of the energy unexplained. (1 s CPU)
 local talus = require "talus"
 local tools = require "tools"
 local function inertia(block)
@@ -54,4 +54,24 @@ for _, overlap in ipairs { 0, 1e-4, 1e-3 } do
     if sim.time > 0.1 then first = first or last end
   end
   talus.check.below(string.format("table that turns by 0.25 rad, overlap %g m: way along it, m", overlap), math.abs(last - first), 1e-6)
+end
+
+-- As random scenes had them.
+do
+  local rock = talus.material { name = "rock", density = 2500, young = 4.8e9, poisson = 0.2 }
+  local function rigid(name, outline, velocity, spin)
+    return talus.region { name = name, material = rock, outline = outline, velocity = velocity, spin = spin or 0, order = "rigid" }
+  end
+  for _, dt in ipairs {0.0198, 0.01, 0.005} do
+    local sim = talus.simulation { gravity = {0, -tools.g}, contact = talus.joint { friction = 0 }, output = { vtk = false, picture = false }, time = { t_end = 0.45, dt = dt }, regions = {
+      talus.region { name = "bin", material = rock, held = true, outline = { {-1.42718627, -0.5}, {1.42718627, -0.5}, {1.42718627, 6}, {0.927186268, 6}, {0.927186268, 0}, {-0.927186268, 0}, {-0.927186268, 6}, {-1.42718627, 6} } },
+      rigid("star", { {0.8276, 0.905}, {0.5993, 0.8634}, {0.4925, 1.0694}, {0.3827, 0.865}, {0.1551, 0.9099}, {0.2464, 0.6966}, {0.0693, 0.5467}, {0.2931, 0.4851}, {0.2999, 0.2532}, {0.4875, 0.3897},
+                      {0.6731, 0.2504}, {0.6833, 0.4822}, {0.9079, 0.5405}, {0.7331, 0.693} }, {0.338, -0.057}),
+      rigid("other", { {-0.1752, 0.7158}, {-0.0233, 1.1941}, {0.3632, 0.8741}, {0.084, 1.291}, {0.5752, 1.3937}, {0.0751, 1.4354}, {0.3011, 1.8835}, {-0.0433, 1.5185}, {-0.2527, 1.9745}, {-0.1821, 1.4777},
+                       {-0.6692, 1.5983}, {-0.2367, 1.3438}, {-0.6347, 1.0381}, {-0.1661, 1.2175} }, {-0.147, -0.071}, -1.382),
+      rigid("tee", { {-0.6858, 1.9937}, {-0.4199, 1.93}, {-0.1901, 2.8892}, {0.0892, 2.8223}, {0.1322, 3.0017}, {-0.6923, 3.1992}, {-0.7353, 3.0199}, {-0.456, 2.953} }, {-0.38, -0.294}) } }
+    local unexplained = 0
+    for _ in sim:steps() do unexplained = math.max(unexplained, math.abs(sim.energy.unexplained)/sim.energy.scale) end
+    talus.check.below(string.format("stars in a bin, steps of %g s: unexplained, largest, of the scale", dt), unexplained, 0.01)
+  end
 end
