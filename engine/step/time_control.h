@@ -76,7 +76,7 @@ class StepSize {
   double growth_;     // of a step that went well
   double short_enough_ = 0;  // s, not shortened for what it takes
   bool heeds_splits_ = true, heeds_turns_;
-  double straight_;
+  double straight_;  // rad
   int cautious_ = 0;  // steps still to be grown slowly
   bool regrets_help_ = true;
   int since_split_;   // steps since one that accepted() was told of with split_anew
