@@ -16,10 +16,17 @@
 
 namespace talus {
 
-Vec2 edge_normal(const Model& model, const Contact& c) {
-  const int begin = model.shapes[c.j].vertex_begin;
-  return -perp(model.vertex[begin + model.next_vertex(c.j, c.edge)] - model.vertex[begin + c.edge]).normalized();
+namespace {
+
+EdgeFoot foot_of(const Model& model, const Contact& c) {
+  const Vec2& at = model.vertex[c.global_vertex];
+  if (model.curved(c.j)) return model.curved_edge(c.j, c.edge).foot(at);
+  return straight_foot(model.vertex[c.global_edge], model.vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)], at);
 }
+
+}  // namespace
+
+Vec2 edge_normal(const Model& model, const Contact& c) { return foot_of(model, c).normal; }
 
 namespace {
 
@@ -92,11 +99,9 @@ std::vector<const Contact*> predecessors(const Model& model, const std::vector<C
 // m, how deep a contact is at the places y = X + (θ-½)Δt v that the scheme looks at (theory, § 2), as the step begins.
 double depth_ahead(const Model& model, const Contact& c, double dt) {
   const double shift = judged_ahead(model.scene.numerics, dt);
-  const Vec2 at = model.vertex[c.global_vertex], normal = edge_normal(model, c);
-  const double gap = normal.dot(at - model.vertex[c.global_edge]);
-  const Vec2 foot = at - gap * normal;
-  const Vec2 apart = model.corner_velocity(c.i, c.vertex) - model.rising(c.i) - model.velocity_on_edge(c.j, c.edge, foot) + model.rising(c.j);
-  return -(gap + c.offset) - shift * normal.dot(apart);
+  const EdgeFoot on = foot_of(model, c);
+  const Vec2 apart = model.corner_velocity(c.i, c.vertex) - model.rising(c.i) - model.velocity_on_edge(c.j, c.edge, on.foot) + model.rising(c.j);
+  return -(on.gap + c.offset) - shift * on.normal.dot(apart);
 }
 
 // Met already overlapping, or touching and so fast that y overlaps: not a load (docs/theory.md). What is still apart may
@@ -125,7 +130,7 @@ double step_over(const Model& model, const Contact& old, Contact& c) {
   const Vec2 from = corner(old, old.edge), to = corner(old, model.next_vertex(old.j, old.edge));
   const std::array ends{corner(c, c.edge), corner(c, model.next_vertex(c.j, c.edge))};
   const bool first = distance_to_segment(from, to, ends[0]) < distance_to_segment(from, to, ends[1]);
-  const double up = edge_normal(model, old).dot(ends[first ? 0 : 1] - from);
+  const double up = -perp(to - from).normalized().dot(ends[first ? 0 : 1] - from);
   const double size = std::min(model.shapes[size_t(c.i)].length, model.shapes[size_t(c.j)].length);
   if (up > 0 && up <= passing_tolerance * size) c.offset += up;
   if (up < 0) c.offset = std::max(std::min(0.0, c.offset), c.offset + up);
@@ -134,9 +139,7 @@ double step_over(const Model& model, const Contact& old, Contact& c) {
 
 }  // namespace
 
-double gap_now(const Model& model, const Contact& c) {
-  return edge_normal(model, c).dot(model.vertex[c.global_vertex] - model.vertex[c.global_edge]);
-}
+double gap_now(const Model& model, const Contact& c) { return foot_of(model, c).gap; }
 
 double carry_over(const Model& model, double dt, bool cracked, std::vector<Contact>& now) {
   std::vector<Contact*> fresh;

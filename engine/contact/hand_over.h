@@ -6,7 +6,7 @@
 
 namespace talus {
 
-Vec2 edge_normal(const Model& model, const Contact& contact);  // outward, as the blocks lie
+Vec2 edge_normal(const Model& model, const Contact& contact);  // outward, as the blocks lie; of a curved edge, at the vertex's foot
 // m, of a contact as the blocks lie; negative where the vertex is below the edge's line.
 double gap_now(const Model& model, const Contact& contact);
 

@@ -40,7 +40,8 @@ void drop_deeper(const NearPair& pair, int block, std::vector<Candidate>& candid
     const bool deeper = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
       const bool follows = pair.next(block, c.edge) == other.edge, leads = pair.next(block, other.edge) == c.edge;
       if (!(follows || leads) || c.gap >= 0 || other.edge == c.edge) return false;
-      if (!pair.convex(block, follows ? other.edge : c.edge)) return false;
+      const int between = follows ? other.edge : c.edge;
+      if (!pair.convex(block, between) || (c.on && !other.on && pair.straight(block, between))) return false;
       return other.gap > c.gap || (other.gap == c.gap && other.edge < c.edge);
     });
     if (!deeper && c.on) kept.push_back(c);
@@ -68,8 +69,11 @@ void vertices_on_edges(const NearPair& pair, const Model& model, int bv, int be,
         if (!way) way = pair.way(bv, v, be);
         s = place_met(edge, gap, s, *way);
       }
-      const bool on = pair.within(be, e, s, edge.length) ||
-                      (gap < 0 && pair.within(be, e, s, edge.length, pair.slack(edge.length, -gap)) && pair.loaded_before(bv, v, be, e));
+      const auto still_on = [&] {
+        const double turned = 2 * pair.aslant(bv, v, edge.normal) * -gap;
+        return pair.within(be, e, s, edge.length, pair.slack(edge.length, -gap) + turned) && pair.loaded_before(bv, v, be, e);
+      };
+      const bool on = pair.within(be, e, s, edge.length) || (gap < 0 && still_on());
       if (!on && (!pair.flush(edge.normal, gap) || !pair.within(be, e, s, edge.length, pair.meeting()))) continue;
       if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) continue;
       if ((gap > 0 || pair.flush(edge.normal, gap)) && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
@@ -181,12 +185,17 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
 // dropped, or the one that was not loaded before. Else the two would share a load, half of which is lost where one of them goes; and where they took turns,
 // as shear moves from the one corner to the other by how deep they press, there would be no equilibrium.
 void drop_twins(const NearPair& pair, size_t first, std::vector<Contact>& found) {
-  const auto twins = [&pair](const Contact& a, const Contact& b) {
+  // Also on the other half of a side that goes straight on.
+  const auto loaded = [&pair](const Contact& c) {
+    const auto on = [&](int e) { return pair.loaded_before(c.i, c.vertex, c.j, e); };
+    return on(c.edge) || (pair.straight(c.j, c.edge) && on(pair.previous(c.j, c.edge))) || (pair.straight(c.j, pair.next(c.j, c.edge)) && on(pair.next(c.j, c.edge)));
+  };
+  const auto twins = [&](const Contact& a, const Contact& b) {
     if (b.i != a.j) return false;
     const Face &face = pair.edge(a.j, a.edge), &facing = pair.edge(b.j, b.edge);
     const Vec2 apart = pair.vertex(b.i, b.vertex) - pair.vertex(a.i, a.vertex);
     const double deep = std::abs(face.normal.dot(apart)), aslant = std::abs(cross(face.along, facing.along));
-    const double near = 2 * pair.slack(std::max(face.length, facing.length), deep) + aslant * deep;
+    const double near = pair.straight(a.i, a.vertex) && pair.straight(b.i, b.vertex) ? pair.meeting() : 2 * pair.slack(std::max(face.length, facing.length), deep) + aslant * deep;
     return std::abs(face.along.dot(apart)) <= near && deep <= -pair.deepest() && face.normal.dot(facing.normal) < -0.99;
   };
   for (size_t c = first; c < found.size(); ++c)
@@ -195,7 +204,7 @@ void drop_twins(const NearPair& pair, size_t first, std::vector<Contact>& found)
         ++other;
         continue;
       }
-      if (pair.loaded_before(found[other].key()) && !pair.loaded_before(found[c].key())) found[c] = found[other];
+      if (loaded(found[other]) && !loaded(found[c])) found[c] = found[other];
       found.erase(found.begin() + long(other));
     }
 }
@@ -210,7 +219,8 @@ void least_deep(const NearPair& pair, const Model& model, size_t first, std::vec
                                             return pair.edge(blocks[size_t(of)], face).gap(pair.vertex(blocks[size_t(1 - of)], corner));
                                           });
   if (!out) return;
-  const auto knows = [&](const Contact& c) { return c.gap <= known_part * out->gap; };
+  const double rise = std::max(model.largest_rise(blocks[0], model.blocks[blocks[0]]), model.largest_rise(blocks[1], model.blocks[blocks[1]]));
+  const auto knows = [&](const Contact& c) { return c.gap - rise <= known_part * out->gap; };
   if (std::any_of(found.begin() + long(first), found.end(), knows)) return;
   const int bv = blocks[size_t(1 - out->of)], be = blocks[size_t(out->of)];
   if (pair.free(be, out->face) && pair.on_outline(bv, out->corner))

@@ -87,8 +87,8 @@ class NearPair {
     c.edge = e;
     c.global_vertex = model_.shapes[block_v].vertex_begin + v;
     c.global_edge = model_.shapes[block_e].vertex_begin + e;
-    c.gap = gap;
-    const double shared = corner ? 0 : shared_length(block_v, v, edge(block_e, e));
+    c.gap = model_.curved(block_e) ? model_.curved_edge(block_e, e).foot(vertex(block_v, v)).gap : gap;
+    const double shared = corner ? 0 : shared_length(block_v, v, block_e, e);
     c.kind = corner ? ContactKind::angle_angle : shared > 0 ? ContactKind::edge_edge : ContactKind::angle_edge;
     c.joint = corner ? -1 : joint_between(block_v, v, c.global_edge);
     c.property = property_of(c);
@@ -202,6 +202,16 @@ class NearPair {
   // m, by which what presses `deep` may have come beyond the end of an edge and still be on it: shear that goes over from one of two corners that press on each other
   // to the other moves them by the square of that.
   double slack(double length, double deep) const { return corner_part * length + deep * deep / least_; }
+  // Whether a side of the block goes straight on there, as near as two faces count as along each other.
+  bool straight(int block, int v) const {
+    const OutlineCorner& at = corner(block, v);
+    return std::abs(at.turn) <= parallel_sine && at.ahead.dot(at.behind) < 0 && own(block, v);
+  }
+  // Sine by which the side of corner `v` of `block` that lies along that normal's face is aslant to it; 0 where none does.
+  double aslant(int block, int v, const Vec2& n) const {
+    const double a = std::abs(corner(block, v).ahead.dot(n)), b = std::abs(corner(block, v).behind.dot(n)), least = std::min(a, b);
+    return least <= parallel_sine ? least : 0;
+  }
   // m, by which an edge goes on under the wall at an inner corner; what lies in a shallow one is out of both edges by the sine of its depth.
   double under_wall(int block, int v) const {
     return corner(block, v).turn < -parallel_sine || notch(block, v) ? -deepest() : std::max(way_, meeting());
@@ -243,17 +253,24 @@ class NearPair {
   }
   static bool lies_along(const Vec2& d, const Vec2& n) { return std::abs(d.dot(n)) <= parallel_sine; }  // unit vectors
 
-  // Length over which an edge at corner `v` lies along `e`, or 0.
-  double shared_length(int block, int v, const Face& e) const {
+  // m, of the edges at corner `v` that lies along `e`, or 0; where both go straight on at one place, along what `e` goes on in too. Halves of the shares of all
+  // corners on a face add up to it, as weights of the trapezoidal rule.
+  double shared_length(int block, int v, int be, int e) const {
+    const Face& face = edge(be, e);
     const Vec2 p = vertex(block, v);
-    double shared = 0;
+    double low = 0, high = face.length;
+    if (straight(block, v)) {
+      if (std::abs(face.position(p)) <= meeting() && straight(be, e)) low -= edge(be, previous(be, e)).length;
+      if (std::abs(face.position(p) - face.length) <= meeting() && straight(be, next(be, e))) high += edge(be, next(be, e)).length;
+    }
+    double forwards = 0, backwards = 0;
     for (int other : {next(block, v), previous(block, v)}) {
       const Vec2 q = vertex(block, other);
-      if (std::abs(e.normal.dot(q - p)) > parallel_sine * (q - p).norm()) continue;
-      const double s0 = std::clamp(e.position(p), 0.0, e.length), s1 = std::clamp(e.position(q), 0.0, e.length);
-      if (std::abs(s1 - s0) > corner_part * e.length) shared = std::max(shared, std::abs(s1 - s0));
+      if (std::abs(face.normal.dot(q - p)) > parallel_sine * (q - p).norm()) continue;
+      const double along = std::clamp(face.position(q), low, high) - std::clamp(face.position(p), low, high);
+      if (std::abs(along) > corner_part * face.length) forwards = std::max(forwards, along), backwards = std::max(backwards, -along);
     }
-    return shared;
+    return forwards + backwards;
   }
 
   const Model& model_;

@@ -24,6 +24,29 @@ ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int lo
   return poses.blocks[block].rows<n>(model.reference_vertex[v], poses.vertex[v], m).transpose() * direction;
 }
 
+// The same of what is `part` of the way along an edge: of one that stays straight it goes with the ends, of one that bends it is a material point.
+template <int n>
+ColumnOf<n> edge_row(const Model& model, const Poses& poses, int block, int edge, double part, const Vec2& at, const Vec2& direction) {
+  const int next = model.next_vertex(block, edge);
+  if (!model.curved(block)) return (1 - part) * vertex_row<n>(model, poses, block, edge, direction) + part * vertex_row<n>(model, poses, block, next, direction);
+  const int begin = model.shapes[block].vertex_begin;
+  const Vec2 in_block = (1 - part) * model.reference_vertex[begin + edge] + part * model.reference_vertex[begin + next];
+  return poses.blocks[block].rows<n>(in_block, at).transpose() * direction;
+}
+
+CurvedEdge curved_edge(const Model& model, const Poses& poses, int block, int edge) {
+  const BlockShape& shape = model.shapes[block];
+  const Pose& pose = poses.blocks[block];
+  const int from = shape.vertex_begin + edge, to = shape.vertex_begin + model.next_vertex(block, edge);
+  const Vec3 rise = pose.bend->shape.rise(model.reference_vertex[to] - model.reference_vertex[from]);
+  return {poses.vertex[from], poses.vertex[to] - poses.vertex[from], pose.rotation.turn(Bend::sum(rise, pose.bend->now))};
+}
+
+EdgeFoot foot_of(const Model& model, const Poses& poses, const Contact& contact, const Vec2& at) {
+  if (model.curved(contact.j)) return curved_edge(model, poses, contact.j, contact.edge).foot(at);
+  return straight_foot(poses.vertex[contact.global_edge], poses.vertex[model.shapes[contact.j].vertex_begin + model.next_vertex(contact.j, contact.edge)], at);
+}
+
 }  // namespace
 
 double full_climb(const Model& model, const Contact& contact, double way) {
@@ -57,13 +80,11 @@ double rounding_of_gap(const Model& model, const Contact& contact) {
   return 8 * std::numeric_limits<double>::epsilon() * model.size_of(model.vertex[contact.global_vertex]);
 }
 
-// The foot of a vertex on a first-order block's edge is a material point; an edge of second order stays straight between its
-// corners, and takes its foot along as they go. Both blocks feel shear at the vertex, be it a little off the edge: action and reaction on one line keep
+// Both blocks feel shear at the vertex, be it a little off the edge: action and reaction on one line keep
 // angular momentum, and what turns as one does not slide.
 template <int n>
-void ContactTerms::set_rows(const Model& model, const Contact& contact, const Poses& poses, const Vec2& at, const Vec2& foot,
-                            const Vec2& span, const Vec2& along, ContactRows& row) {
-  const Vec2 normal = -perp(along);
+void ContactTerms::set_rows(const Model& model, const Contact& contact, const Poses& poses, const Vec2& at, const EdgeFoot& on, ContactRows& row) {
+  const auto& [foot, along, normal, gap] = on;
   if constexpr (n == first_order_dofs) {
     const Pose &pose_i = poses.blocks[contact.i], &pose_j = poses.blocks[contact.j];
     const auto set = [](Row& to, const FirstRow& from) { std::copy(from.begin(), from.end(), to.begin()); };
@@ -74,14 +95,14 @@ void ContactTerms::set_rows(const Model& model, const Contact& contact, const Po
   } else {
     const auto set = [](Row& to, const ColumnOf<n>& from) { std::copy_n(from.data(), std::size_t(n), to.begin()); };
     const int next = model.next_vertex(contact.j, contact.edge);
-    const double on_edge = along.dot(foot - poses.vertex[contact.global_edge]) / along.dot(span);
+    const Vec2 from = poses.vertex[contact.global_edge], span = poses.vertex[model.shapes[contact.j].vertex_begin + next] - from;
+    const double part = model.curved(contact.j) ? curved_edge(model, poses, contact.j, contact.edge).nearest(at) : along.dot(foot - from) / along.dot(span);
     for (const auto& [direction, of_i, of_j] : {std::tuple(normal, &row.normal_i, &row.normal_j), {along, &row.shear_i, &row.shear_j}}) {
       set(*of_i, vertex_row<n>(model, poses, contact.i, contact.vertex, direction));
-      set(*of_j, (on_edge - 1) * vertex_row<n>(model, poses, contact.j, contact.edge, direction) -
-                     on_edge * vertex_row<n>(model, poses, contact.j, next, direction));
+      set(*of_j, -edge_row<n>(model, poses, contact.j, contact.edge, part, foot, direction));
     }
     const ColumnOf<n> turns = (vertex_row<n>(model, poses, contact.j, contact.edge, normal) - vertex_row<n>(model, poses, contact.j, next, normal)) / span.norm();
-    for (int k = 0; k < n; ++k) row.shear_j[size_t(k)] -= normal.dot(at - foot) * turns[k];
+    for (int k = 0; k < n; ++k) row.shear_j[size_t(k)] -= gap * turns[k];
   }
 }
 
@@ -94,11 +115,8 @@ void ContactTerms::linearise(const Model& model, Poses& poses, const Scheme& sch
     const Contact& contact = model.contacts[size_t(model.sleeping_contacts) + k];
     const Strength strength = model.contact_strength(contact);
     const BlockShape &shape_i = model.shapes[contact.i], &shape_j = model.shapes[contact.j];
-    const Vec2 at = poses.vertex[contact.global_vertex], from = poses.vertex[contact.global_edge];
-    const Vec2 span = poses.vertex[shape_j.vertex_begin + model.next_vertex(contact.j, contact.edge)] - from;
-    const Vec2 along = span.normalized(), normal = -perp(along);
-    const double gap = normal.dot(at - from);
-    const Vec2 foot = at - gap * normal;
+    const Vec2 at = poses.vertex[contact.global_vertex];
+    const EdgeFoot on = foot_of(model, poses, contact, at);
 
     ContactRows& row = rows_[k];
     row.contact = model.sleeping_contacts + int(k);
@@ -110,14 +128,14 @@ void ContactTerms::linearise(const Model& model, Poses& poses, const Scheme& sch
     row.size_j = shape_j.dofs;
     const bool second = shape_i.second_order() || shape_j.second_order();
     with_size(second, [&](auto n) {
-      set_rows<n>(model, contact, poses, at, foot, span, along, row);
+      set_rows<n>(model, contact, poses, at, on, row);
     });
     const Rates &vi = model.blocks[contact.i].velocity, &vj = model.blocks[contact.j].velocity;
     const double sliding = dot(row.shear_i, vi) + dot(row.shear_j, vj);
     row.climb = climb(model, contact, sliding, scheme.dt);
     if (row.climb != 0) add_slope(row);
     const double approach = dot(row.normal_i, vi) + dot(row.normal_j, vj);
-    row.gap0 = gap + contact.offset + scheme.contact_v * approach + scheme.bond_ahead * normal.dot(model.rising(contact.i) - model.rising(contact.j));
+    row.gap0 = on.gap + contact.offset + scheme.contact_v * approach + scheme.bond_ahead * on.normal.dot(model.rising(contact.i) - model.rising(contact.j));
     if (contact.lies) row.gap0 = scheme.dt * approach - contact.normal_force / contact.normal_stiffness;
     row.rounding = contact.lies ? 0 : rounding_of_gap(model, contact);
     row.faster = model.faster_along(contact.i, row.shear_i) + model.faster_along(contact.j, row.shear_j);

@@ -87,8 +87,7 @@ class ContactTerms {
 
  private:
   template <int n>
-  static void set_rows(const Model& model, const Contact& contact, const Poses& poses, const Vec2& at, const Vec2& foot,
-                       const Vec2& span, const Vec2& along, ContactRows& row);
+  static void set_rows(const Model& model, const Contact& contact, const Poses& poses, const Vec2& at, const EdgeFoot& on, ContactRows& row);
 
   std::vector<ContactRows> rows_;
   struct Slots {

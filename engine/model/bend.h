@@ -23,6 +23,11 @@ struct Bend {
     const double scale = 1 / (length * length);
     return scale * Vec3(x.x() * x.x(), x.x() * x.y(), x.y() * x.y()) - mean;
   }
+  // Of the middle of a straight line along d, less the mean of its ends: as it bends.
+  Vec3 rise(const Vec2& d) const {
+    const double scale = -1 / (4 * length * length);
+    return scale * Vec3(d.x() * d.x(), d.x() * d.y(), d.y() * d.y());
+  }
   template <class Six>
   static Vec2 sum(const Vec3& m, const Six& b) {
     return {m[0] * b[0] + m[1] * b[1] + m[2] * b[2], m[0] * b[3] + m[1] * b[4] + m[2] * b[5]};

@@ -1,7 +1,7 @@
 #pragma once
-// What of a second-order block's bend the corners of its contact polygon go with.
+// What of its bend the corners of a second-order block's contact polygon go with, where that is not curved (Model::curved).
 //
-// Contact sees straight edges. With the polygon through the bent corners themselves, a pressure that is even along all edges, which
+// Contact sees straight edges there. With the polygon through the bent corners themselves, a pressure that is even along all edges, which
 // contacts give back as forces at the corners, would bend the block: loose triangles under one stress are 2.6 times as soft as they
 // are, however small (verification, second_order). The polygon is therefore laid so that each of its sides is, in the mean, where the
 // bent edge is: for corners v and w of an edge,

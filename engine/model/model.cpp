@@ -61,22 +61,44 @@ Vec2 Model::velocity_at(int block, const Vec2& point) const {
 
 Vec2 Model::bent_velocity(int block, const Vec2& point) const {
   const BlockState& state = blocks[block];
-  const Rotation rotation = Rotation::of(state.angle);
-  const Vec2 arm = undeformed(shapes[block], state, rotation.back(point - state.centroid));
-  return Vec2(state.velocity[0], state.velocity[1]) + state.velocity[2] / shapes[block].length * perp(point - state.centroid) +
-         rotation.turn(deforming(shapes[block], state, arm, shapes[block].bend().monomials(arm)));
+  const Vec2 arm = undeformed(shapes[block], state, Rotation::of(state.angle).back(point - state.centroid));
+  return bent_velocity(block, arm, point, shapes[block].bend().monomials(arm));
 }
 
-Vec2 Model::bent_corner_velocity(int block, int v) const {
+Vec2 Model::bent_velocity(int block, const Vec2& in_block, const Vec2& point, const Vec3& m) const {
   const BlockShape& shape = shapes[block];
   const BlockState& state = blocks[block];
-  return Vec2(state.velocity[0], state.velocity[1]) + state.velocity[2] / shape.length * perp(vertex[v] - state.centroid) +
-         Rotation::of(state.angle).turn(deforming(shape, state, reference_vertex[v], corner_bend[v]));
+  return Vec2(state.velocity[0], state.velocity[1]) + state.velocity[2] / shape.length * perp(point - state.centroid) +
+         Rotation::of(state.angle).turn(deforming(shape, state, in_block, m));
 }
 
-// Linear between the corners, as a point of the edge goes with them.
+Vec2 Model::bent_corner_velocity(int block, int v) const { return bent_velocity(block, reference_vertex[v], vertex[v], corner_bend[v]); }
+
+Vec2 Model::rise(int block, int edge, const BlockState& state) const {
+  const BlockShape& shape = shapes[block];
+  const Vec2 along = reference_vertex[shape.vertex_begin + next_vertex(block, edge)] - reference_vertex[shape.vertex_begin + edge];
+  return Rotation::of(state.angle).turn(Bend::sum(shape.bend().rise(along), *state.bend));
+}
+
+CurvedEdge Model::curved_edge(int block, int edge) const {
+  const int begin = shapes[block].vertex_begin, from = begin + edge, to = begin + next_vertex(block, edge);
+  return {vertex[from], vertex[to] - vertex[from], rise(block, edge, blocks[block])};
+}
+
+double Model::largest_rise(int block, const BlockState& state) const {
+  double largest = 0;
+  for (int e = 0; curved(block) && e < vertex_count(block); ++e) largest = std::max(largest, rise(block, e, state).norm());
+  return largest;
+}
+
+// Linear between the corners, as a point of a straight edge goes with them.
 Vec2 Model::velocity_on_bent_edge(int block, int edge, const Vec2& point) const {
   const int from = shapes[block].vertex_begin + edge, to = shapes[block].vertex_begin + next_vertex(block, edge);
+  if (curved(block)) {
+    const double at = curved_edge(block, edge).nearest(point);
+    const Vec2 in_block = (1 - at) * reference_vertex[from] + at * reference_vertex[to];
+    return bent_velocity(block, in_block, point, shapes[block].bend().monomials(in_block));
+  }
   const Vec2 span = vertex[to] - vertex[from];
   const double at = (point - vertex[from]).dot(span) / span.squaredNorm();
   const Vec2 beside = point - vertex[from] - at * span;  // nought on the edge

@@ -17,6 +17,7 @@
 #include "geometry/vec2.h"
 #include "model/apart.h"
 #include "model/bend.h"
+#include "model/curved_edge.h"
 #include "scene/scene.h"
 
 namespace talus {
@@ -123,6 +124,7 @@ struct alignas(64) BlockShape {
 struct QuadraticShape {
   HighMoments moments;                                             // about the centroid, m5 and m6
   Vec3 stress_x = Vec3::Zero(), stress_y = Vec3::Zero();  // Pa/m, gradients of the initial stress
+  bool curved = false;  // contacts follow its edges as they bend, and its corners; or else the polygon of model/corner_bend.h
 };
 
 enum class JointState : std::uint8_t { intact, failed };
@@ -404,7 +406,11 @@ class Model {
   // Place of the material point `in_block` (from the reference centroid): c + R ((I + e) X + q(X)).
   Vec2 place(int block, const Vec2& in_block) const;
   Vec2 velocity_at(int block, const Vec2& point) const;
-  // Of a point of an edge, which stays straight between its corners; of first order that is velocity_at.
+  // Whether contacts follow the edges of a block as they bend.
+  bool curved(int block) const { return shapes[block].second_order() && quadratic_shapes[size_t(shapes[block].quadratic)].curved; }
+  CurvedEdge curved_edge(int block, int edge) const;  // of a curved block, as it lies
+  double largest_rise(int block, const BlockState& state) const;  // m, of the middles of its edges; 0 where it is not curved
+  // Of a point of an edge, which stays straight between its corners where the block is not curved; of first order that is velocity_at.
   Vec2 velocity_on_edge(int block, int edge, const Vec2& point) const {
     return shapes[block].second_order() ? velocity_on_bent_edge(block, edge, point) : velocity_at(block, point);
   }
@@ -436,8 +442,11 @@ class Model {
     if (load_way.part == 1 || t != time) return of(t);
     return (1 - load_way.part) * of(load_way.from) + load_way.part * of(t);
   }
+  Vec2 rise(int block, int edge, const BlockState& state) const;
   Vec2 velocity_on_bent_edge(int block, int edge, const Vec2& point) const;
   Vec2 bent_velocity(int block, const Vec2& point) const;
+  // Of what goes with the material point `in_block`, and m of the bend, but turns with what is at `point`.
+  Vec2 bent_velocity(int block, const Vec2& in_block, const Vec2& point, const Vec3& m) const;
   Vec2 bent_corner_velocity(int block, int v) const;
 };
 

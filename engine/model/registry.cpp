@@ -157,11 +157,12 @@ void visit_state(BlockShape& shape, StateVisitor& v) {
 }
 
 void visit_state(QuadraticShape& shape, StateVisitor& v) {
-  auto& [moments, stress_x, stress_y] = shape;
+  auto& [moments, stress_x, stress_y, curved] = shape;
   v("third", moments.third);
   v("fourth", moments.fourth);
   v("stress_x", stress_x);
   v("stress_y", stress_y);
+  v("curved", curved);
 }
 
 void visit_state(JointPoints& points, StateVisitor& v) {

@@ -11,6 +11,7 @@
 #include "model/corner_bend.h"
 #include "model/gauss.h"
 #include "scene/build_parts.h"
+#include "scene/edge_parts.h"
 #include "scene/slivers.h"
 
 namespace talus {
@@ -109,11 +110,25 @@ int unknowns(BlockOrder order) {
   return order == BlockOrder::rigid ? rigid_dofs : order == BlockOrder::first ? first_order_dofs : second_order_dofs;
 }
 
-int add_block(Model& model, int region_id, const Polyline& outline) {
+int unknowns(const Region& region, const PolygonIntegrals& integrals) {
+  return region.held ? 0 : unknowns(region.order_at ? region.order_at(integrals.centroid) : region.order);
+}
+
+// Of second-order blocks, as contacts see them: Model::curved.
+enum class Edges { straight, curved };
+
+std::vector<Vec3> bend_of_corners(const std::vector<Vec2>& corners, const Bend& bend, Edges edges) {
+  if (edges == Edges::straight) return corner_bend(corners, bend);
+  std::vector<Vec3> result;
+  for (const Vec2& corner : corners) result.push_back(bend.monomials(corner));
+  return result;
+}
+
+int add_block(Model& model, int region_id, const Polyline& outline, Edges edges) {
   const Region& region = model.scene.regions[region_id];
   const PolygonIntegrals integrals = integrate(outline);
   BlockShape shape;
-  shape.dofs = region.held ? 0 : unknowns(region.order_at ? region.order_at(integrals.centroid) : region.order);
+  shape.dofs = unknowns(region, integrals);
   shape.vertex_begin = int(model.reference_vertex.size());
   shape.region = region_id;
   shape.material = region.material;
@@ -136,13 +151,14 @@ int add_block(Model& model, int region_id, const Polyline& outline) {
   if (shape.second_order()) {
     shape.quadratic = int(model.quadratic_shapes.size());
     QuadraticShape& quadratic = model.quadratic_shapes.emplace_back();
+    quadratic.curved = edges == Edges::curved;
     quadratic.moments = integrate_high(outline, integrals.centroid);
     if (region.stress) {
       quadratic.stress_x = region.stress->gradient_x;
       quadratic.stress_y = region.stress->gradient_y;
     }
     const auto first = model.reference_vertex.begin() + shape.vertex_begin;
-    const std::vector<Vec3> bend = corner_bend({first, model.reference_vertex.end()}, shape.bend());
+    const std::vector<Vec3> bend = bend_of_corners({first, model.reference_vertex.end()}, shape.bend(), edges);
     model.corner_bend.resize(std::size_t(shape.vertex_begin), Vec3::Zero());
     model.corner_bend.insert(model.corner_bend.end(), bend.begin(), bend.end());
   }
@@ -222,14 +238,20 @@ std::vector<int> add_nodes(Model& model, int region, const Tessellation& t, int 
   return node;
 }
 
-void add_tessellation(Model& model, int region_id, const Tessellation& t, const Cuts& cuts,
-                      std::vector<FreeEdge>& edges) {
+// Whether nothing in it is bonded to anything.
+bool loose(const Tessellation& t, const Cuts& cuts) {
+  return std::ranges::all_of(t.interfaces, [&cuts](const Tessellation::Interface& face) { return face.trace >= 0 && !cuts.bonded[face.trace]; });
+}
+
+void add_tessellation(Model& model, int region_id, Tessellation t, const Cuts& cuts, std::vector<FreeEdge>& edges) {
   const Region& region = model.scene.regions[region_id];
+  const bool curved = !region.held && (region.order_at || region.order == BlockOrder::second) && loose(t, cuts);
+  if (curved) divide_edges(t);
   const int first = int(model.shapes.size());
   for (const std::vector<int>& cell : t.cells) {
     Polyline outline;
     for (int p : cell) outline.push_back(t.points[p]);
-    add_block(model, region_id, outline);
+    add_block(model, region_id, outline, curved ? Edges::curved : Edges::straight);
   }
   const std::vector<int> node = add_nodes(model, region_id, t, first);
   const int own = region.joint >= 0 ? region.joint : model.scene.contact;
@@ -246,8 +268,11 @@ void add_tessellation(Model& model, int region_id, const Tessellation& t, const 
 }
 
 void add_ready_blocks(Model& model, int region_id, std::vector<FreeEdge>& edges) {
-  for (const Polyline& outline : model.scene.regions[region_id].outlines) {
-    const int block = add_block(model, region_id, outline);
+  const Region& region = model.scene.regions[region_id];
+  for (const Polyline& given : region.outlines) {
+    const bool bends = unknowns(region, integrate(given)) == second_order_dofs;
+    const Polyline outline = bends ? divided(given) : given;
+    const int block = add_block(model, region_id, outline, bends ? Edges::curved : Edges::straight);
     for (size_t i = 0; i < outline.size(); ++i)
       edges.push_back({region_id, block, int(i), outline[i], outline[(i + 1) % outline.size()]});
   }
@@ -310,7 +335,7 @@ void add_region(Model& model, int region_id, std::vector<FreeEdge>& edges) {
     if (long(t.cells.size()) > left) throw std::length_error(std::to_string(t.cells.size()) + " blocks");
     check_cuts(region, cuts, t, model.notes);
     treat_slivers(region, model.origin, t, model.notes);
-    add_tessellation(model, region_id, t, cuts, edges);
+    add_tessellation(model, region_id, std::move(t), cuts, edges);
   } catch (const std::length_error& error) {
     const Place& place = region.mesh.place.file.empty() ? region.place : region.mesh.place;
     throw InputError(place, "mesh of " + field,

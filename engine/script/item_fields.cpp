@@ -41,7 +41,7 @@ const ShownField block_shown[] = {
      [](lua_State* L, const Model& m, int id) { push_text(L, m.scene.regions[m.shapes[id].region].name); }},
     {"material", "name of its material",
      [](lua_State* L, const Model& m, int id) { push_text(L, m.material(id).name); }},
-    {"vertices", "corners now, list of {x, y} (m)",
+    {"vertices", "corners now, list of {x, y} (m); of one of second order that nothing bonds with the middles of its edges, and more of slender ones",
      [](lua_State* L, const Model& m, int id) {
        lua_createtable(L, m.vertex_count(id), 0);
        for (int k = 0; k < m.vertex_count(id); ++k) {

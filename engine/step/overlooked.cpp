@@ -59,7 +59,10 @@ class Hindsight {
   }
 
  private:
-  double tolerance(int a, int b) const { return passing_tolerance * std::min(model_.shapes[a].length, model_.shapes[b].length); }
+  // m, that blocks may lie in each other: and as far as edges that contacts follow as they bend go off the lines between their corners, which are asked here.
+  double tolerance(int a, int b) const {
+    return passing_tolerance * std::min(model_.shapes[a].length, model_.shapes[b].length) + model_.largest_rise(a, moved_[a]) + model_.largest_rise(b, moved_[b]);
+  }
 
   // m, by which turning and straining moves what is in the block.
   double turning(int block) const {

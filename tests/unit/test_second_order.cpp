@@ -250,9 +250,35 @@ TEST(SecondOrder, SidesOfTheContactPolygonLieInTheMeanOnTheBentEdges) {
   for (const Vec3& side : square) EXPECT_NEAR(side.norm(), std::hypot(1.0, 1.0) / 3, 1e-14);
 }
 
-// Rows of a contact are the derivative of gap and sliding, of the vertex and of the straight edge.
-TEST(SecondOrder, ContactRowsAreTheDerivativeOfTheGap) {
+// Blocks of second order that nothing bonds have corners along their edges, the same on both sides of a joint, each part of which is a joint.
+TEST(SecondOrder, BothSidesOfAnUnbondedJointHaveTheSameCorners) {
+  Region cut = region("cut", rectangle(0, 0, 4, 1));
+  Trace& trace = cut.traces.emplace_back();
+  trace.points = {{0.1, -1}, {0.1, 2}};  // leaves a slender block on its left
+  trace.bonded = false;
+  const Model model = build(second_order(scene_of({cut})));
+  ASSERT_EQ(model.shapes.size(), 2U);
+  ASSERT_GT(model.joints.size(), 2U);
+  double length = 0;
+  for (const Joint& joint : model.joints) {
+    length += joint.length;
+    for (const auto& [block, edge, ends] : {std::tuple(joint.a, joint.edge_a, std::array{joint.in_a[0], joint.in_a[1]}), {joint.b, joint.edge_b, {joint.in_b[1], joint.in_b[0]}}}) {
+      const int begin = model.shapes[size_t(block)].vertex_begin;
+      EXPECT_TRUE(model.curved(block));
+      EXPECT_LT((model.reference_vertex[size_t(begin + edge)] - ends[0]).norm(), 1e-12);
+      EXPECT_LT((model.reference_vertex[size_t(begin + model.next_vertex(block, edge))] - ends[1]).norm(), 1e-12);
+    }
+  }
+  EXPECT_NEAR(length, 1, 1e-12);
+}
+
+// Rows of a contact are the derivative of gap and sliding, of the vertex and of the edge: one that bends, or one that stays straight.
+void rows_are_the_derivative(bool curved) {
   Model model = build(second_order(scene_of({region("floor", rectangle(0, 0, 3, 1)), region("block", rectangle(0.5, 1, 1, 1))})));
+  for (QuadraticShape& shape : model.quadratic_shapes) {
+    ASSERT_TRUE(shape.curved);
+    shape.curved = curved;
+  }
   *model.blocks[0].bend = {0.01, 0.02, -0.01, 0.005, 0.01, 0.02};
   *model.blocks[1].bend = {-0.02, 0.01, 0.01, 0.01, -0.005, 0.01};
   model.place_vertices();
@@ -275,13 +301,19 @@ TEST(SecondOrder, ContactRowsAreTheDerivativeOfTheGap) {
           for (int v = moved.shapes[size_t(block)].vertex_begin; v < moved.shapes[size_t(block)].vertex_end; ++v)
             moved.vertex[size_t(v)] = pose.polygon_vertex(moved.reference_vertex[size_t(v)], moved.corner_bend[size_t(v)]);
           const Contact& c = moved.contacts[size_t(row.contact)];
-          const Vec2 from = moved.vertex[size_t(c.global_edge)];
-          const Vec2 along = (moved.vertex[size_t(moved.shapes[size_t(c.j)].vertex_begin + moved.next_vertex(c.j, c.edge))] - from).normalized();
-          return -perp(along).dot(moved.vertex[size_t(c.global_vertex)] - from);
+          const int to = moved.shapes[size_t(c.j)].vertex_begin + moved.next_vertex(c.j, c.edge);
+          const Vec2 from = moved.vertex[size_t(c.global_edge)], span = moved.vertex[size_t(to)] - from;
+          const Pose of_j = flown(moved, c.j, c.j == block ? by : 0);
+          const Vec2 middle = of_j.place((moved.reference_vertex[size_t(c.global_edge)] + moved.reference_vertex[size_t(to)]) / 2);
+          return CurvedEdge{from, span, curved ? Vec2(middle - from - span / 2) : Vec2(0, 0)}.foot(moved.vertex[size_t(c.global_vertex)]).gap;
         };
         const double slope = (gap(h) - gap(-h)) / (2 * h);
         EXPECT_NEAR((block == row.i ? row.normal_i : row.normal_j)[size_t(unknown)], slope, 1e-7) << unknown;
       }
+}
+TEST(SecondOrder, ContactRowsAreTheDerivativeOfTheGap) {
+  rows_are_the_derivative(true);
+  rows_are_the_derivative(false);
 }
 
 // Loose blocks of both orders come to rest on each other by sweeps, and their stress carries what lies above.
