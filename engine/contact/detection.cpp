@@ -246,7 +246,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   drop_points(model, meeting, surface_.bonded, now);
   sort_large(now, [](const Contact& c) { return c.key(); });
   drop_hidden(model, surface_, faces_, now);
-  ended_ = carry_over(model, dt, cracked, now);
+  ended_ = carry_over(model, surface_, dt, cracked, now);
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());
   if (dt > 0 && dt < shorter * last_dt_) forgive_depth(model, dt);

@@ -125,14 +125,17 @@ void take_over(const Model& model, Contact& c) {
 // A corner that slides from the face of one block on to that of the next, which stands out a little farther, is not pressed by that step, which
 // it could not have climbed: its height is the contact's offset, until it has climbed or a step leads down again. Where the faces meet in an edge there is none,
 // and the way along them bends. Returns how much farther, m.
-double step_over(const Model& model, const Contact& old, Contact& c) {
+double step_over(const Model& model, const Surface& surface, const Contact& old, Contact& c) {
   const auto corner = [&](const Contact& of, int k) { return model.vertex[size_t(model.shapes[size_t(of.j)].vertex_begin + k)]; };
   const Vec2 from = corner(old, old.edge), to = corner(old, model.next_vertex(old.j, old.edge));
   const std::array ends{corner(c, c.edge), corner(c, model.next_vertex(c.j, c.edge))};
   const bool first = distance_to_segment(from, to, ends[0]) < distance_to_segment(from, to, ends[1]);
   const double up = -perp(to - from).normalized().dot(ends[first ? 0 : 1] - from);
   const double size = std::min(model.shapes[size_t(c.i)].length, model.shapes[size_t(c.j)].length);
-  if (up > 0 && up <= passing_tolerance * size) c.offset += up;
+  // Of bonded blocks of second order the sides lie in the mean where their bent edges are, which meet: no step of theirs is one.
+  const auto laid = [&](int block) { return model.shapes[size_t(block)].second_order() && !model.curved(block); };
+  const bool none = (laid(old.j) || laid(c.j)) && surface.together(old.j, c.j);
+  if (up > 0 && (none || up <= passing_tolerance * size)) c.offset += up;
   if (up < 0) c.offset = std::max(std::min(0.0, c.offset), c.offset + up);
   return std::max(0.0, up);
 }
@@ -141,7 +144,7 @@ double step_over(const Model& model, const Contact& old, Contact& c) {
 
 double gap_now(const Model& model, const Contact& c) { return foot_of(model, c).gap; }
 
-double carry_over(const Model& model, double dt, bool cracked, std::vector<Contact>& now) {
+double carry_over(const Model& model, const Surface& surface, double dt, bool cracked, std::vector<Contact>& now) {
   std::vector<Contact*> fresh;
   std::vector<const Contact*> ended;
   const std::span<const Contact> before = model.awake_contacts();
@@ -158,7 +161,7 @@ double carry_over(const Model& model, double dt, bool cracked, std::vector<Conta
       continue;
     }
     if (old->state != ContactState::open) {  // a loaded spring keeps its stiffness
-      c.length = old->length;
+      c.length = c.kind == ContactKind::edge_edge && old->kind == ContactKind::edge_edge ? std::min(c.length, old->length) : old->length;
       c.kind = old->kind;
       c.normal_stiffness = old->normal_stiffness;
       c.shear_stiffness = old->shear_stiffness;
@@ -181,7 +184,7 @@ double carry_over(const Model& model, double dt, bool cracked, std::vector<Conta
       const double deeper = gap_now(model, *old) - c->gap, pressed = c->offset;
       if (old->i == c->j) c->offset += std::max(0.0, deeper);
       if (old->global_vertex == c->global_vertex) {
-        const double up = old->j != c->j ? step_over(model, *old, *c) : 0;
+        const double up = old->j != c->j ? step_over(model, surface, *old, *c) : 0;
         if (dt > 0) c->offset += std::max(0.0, deeper - up);  // by which the face bends up: in motion its height is no load either
       }
       c->height = std::clamp(c->height + c->offset - pressed, 0.0, std::max(0.0, c->offset));

@@ -29,22 +29,25 @@ double place_met(const Face& edge, double gap, double s, const Vec2& way) {
   return gap > 0 && ahead < 0 ? s + edge.along.dot(way) * gap / (gap - ahead) : s;
 }
 
-// Where a vertex is inside two edges that share a convex corner it rests on the one it entered last.
-void drop_deeper(const NearPair& pair, int block, std::vector<Candidate>& candidates) {
+// Where a vertex is inside two edges that share a convex corner it rests on the one it entered last; where these are parts of one side, on one of them, that
+// it was on before.
+void drop_deeper(const NearPair& pair, int vertex_block, int vertex, int block, std::vector<Candidate>& candidates) {
   if (candidates.size() < 2) {
     std::erase_if(candidates, [](const Candidate& c) { return !c.on; });
     return;
   }
+  const auto loaded = [&](const Candidate& c) { return pair.loaded_before(vertex_block, vertex, block, c.edge); };
+  const auto shallower = [](const Candidate& a, const Candidate& b) { return a.gap > b.gap || (a.gap == b.gap && a.edge < b.edge); };
   std::vector<Candidate> kept;
   for (const Candidate& c : candidates) {
-    const bool deeper = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+    const bool dropped = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
       const bool follows = pair.next(block, c.edge) == other.edge, leads = pair.next(block, other.edge) == c.edge;
-      if (!(follows || leads) || c.gap >= 0 || other.edge == c.edge) return false;
+      if (!(follows || leads) || other.edge == c.edge) return false;
       const int between = follows ? other.edge : c.edge;
-      if (!pair.convex(block, between) || (c.on && !other.on && pair.straight(block, between))) return false;
-      return other.gap > c.gap || (other.gap == c.gap && other.edge < c.edge);
+      if (pair.straight(block, between)) return other.on && (loaded(c) == loaded(other) ? shallower(other, c) : loaded(other));
+      return c.gap < 0 && pair.convex(block, between) && shallower(other, c);
     });
-    if (!deeper && c.on) kept.push_back(c);
+    if (!dropped && c.on) kept.push_back(c);
   }
   candidates = std::move(kept);
 }
@@ -79,7 +82,7 @@ void vertices_on_edges(const NearPair& pair, const Model& model, int bv, int be,
       if ((gap > 0 || pair.flush(edge.normal, gap)) && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
       if (pair.can_rest(bv, v, edge.normal) || (gap > 0 && pair.will_rest(bv, v, edge.normal))) candidates.push_back({e, gap, on});
     }
-    drop_deeper(pair, be, candidates);
+    drop_deeper(pair, bv, v, be, candidates);
     for (const Candidate& c : candidates) found.push_back(pair.contact(bv, v, be, c.edge, c.gap, false));
   }
 }
@@ -124,7 +127,7 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
   if (pair.inner(i, v) || pair.inner(j, w)) return;  // two faces, each met by itself
   const int w0 = pair.previous(j, w), v0 = pair.previous(i, v);  // edges before the corners; those after bear its number
   if (distance <= pair.meeting()) meeting.push_back({i, pair.global(i, v), j, pair.global(j, w)});
-  if (pair.valley(i, v) || pair.valley(j, w)) return;
+  if (pair.valley(i, v) || pair.valley(j, w) || pair.straight(i, v) || pair.straight(j, w)) return;
   const auto is_here = [&](const Contact& c) {
     return (c.i == i && c.vertex == v && c.j == j && (c.edge == w || c.edge == w0)) ||
            (c.i == j && c.vertex == w && c.j == i && (c.edge == v || c.edge == v0));
@@ -183,19 +186,21 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
 
 // Corners that coincide along a face, however deep they press, give the same contact twice, once from each block: the second is
 // dropped, or the one that was not loaded before. Else the two would share a load, half of which is lost where one of them goes; and where they took turns,
-// as shear moves from the one corner to the other by how deep they press, there would be no equilibrium.
+// as shear moves from the one corner to the other by how deep they press, there would be no equilibrium. Where a side goes straight on, that is no corner
+// to come off at: then they need not be as near, and a corner is kept before it.
 void drop_twins(const NearPair& pair, size_t first, std::vector<Contact>& found) {
-  // Also on the other half of a side that goes straight on.
-  const auto loaded = [&pair](const Contact& c) {
+  const auto turns = [&pair](const Contact& c) { return !pair.straight(c.i, c.vertex); };
+  const auto loaded = [&pair](const Contact& c) {  // also on the next part of a side that goes straight on
     const auto on = [&](int e) { return pair.loaded_before(c.i, c.vertex, c.j, e); };
-    return on(c.edge) || (pair.straight(c.j, c.edge) && on(pair.previous(c.j, c.edge))) || (pair.straight(c.j, pair.next(c.j, c.edge)) && on(pair.next(c.j, c.edge)));
+    const int end = pair.next(c.j, c.edge);
+    return on(c.edge) || (pair.straight(c.j, c.edge) && on(pair.previous(c.j, c.edge))) || (pair.straight(c.j, end) && on(end));
   };
   const auto twins = [&](const Contact& a, const Contact& b) {
     if (b.i != a.j) return false;
     const Face &face = pair.edge(a.j, a.edge), &facing = pair.edge(b.j, b.edge);
     const Vec2 apart = pair.vertex(b.i, b.vertex) - pair.vertex(a.i, a.vertex);
     const double deep = std::abs(face.normal.dot(apart)), aslant = std::abs(cross(face.along, facing.along));
-    const double near = pair.straight(a.i, a.vertex) && pair.straight(b.i, b.vertex) ? pair.meeting() : 2 * pair.slack(std::max(face.length, facing.length), deep) + aslant * deep;
+    const double near = turns(a) && turns(b) ? 2 * pair.slack(std::max(face.length, facing.length), deep) + aslant * deep : pair.meeting();
     return std::abs(face.along.dot(apart)) <= near && deep <= -pair.deepest() && face.normal.dot(facing.normal) < -0.99;
   };
   for (size_t c = first; c < found.size(); ++c)
@@ -204,7 +209,8 @@ void drop_twins(const NearPair& pair, size_t first, std::vector<Contact>& found)
         ++other;
         continue;
       }
-      if (loaded(found[other]) && !loaded(found[c])) found[c] = found[other];
+      const bool later = turns(found[c]) == turns(found[other]) ? loaded(found[other]) && !loaded(found[c]) : turns(found[other]);
+      if (later) found[c] = found[other];
       found.erase(found.begin() + long(other));
     }
 }

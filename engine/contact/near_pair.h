@@ -98,6 +98,7 @@ class NearPair {
       c.normal_stiffness = property.stiffness;
     } else {
       c.normal_stiffness = model_.stiffness_per_area(property, i_, j_) * (shared > 0 ? std::max(shared, least_shared * least_) : least_) / 2;
+      if (shared > 0) c.normal_stiffness *= simpson(block_v, v, block_e, e, shared);
     }
     c.shear_stiffness = c.normal_stiffness * property.shear_ratio;
     return c;
@@ -176,14 +177,26 @@ class NearPair {
   // Whether the outline turns inwards at corner `v` of `block`; outwards. Inwards also by little, where what goes by would come to lie under the face beyond.
   bool inner(int block, int v) const {
     const double turn = corner(block, v).turn;
-    return turn < -parallel_sine || -turn * way_ > level_part * least_ || notch(block, v) || valley(block, v);
+    return (turn < -parallel_sine || -turn * way_ > level_part * least_ || notch(block, v) || valley(block, v)) && !smooth(block, v);
   }
   bool own(int block, int v) const { return leaving(block, v).block == block && arriving(block, v).block == block; }  // and no other of its body
   bool notch(int block, int v) const { return own(block, v) && corner(block, v).turn < -closed_crack && corner(block, v).ahead.dot(corner(block, v).behind) > 0; }
   // By however little, where it is more than what lies on its sides is pressed in. Of a block of its own: a body's sides bend as it deforms.
   bool valley(int block, int v) const {
     const OutlineCorner& at = corner(block, v);
-    return at.turn < 0 && own(block, v) && -at.turn * at.shorter > level_part * least_;
+    return at.turn < 0 && own(block, v) && -at.turn * at.shorter > level_part * least_ && !smooth(block, v);
+  }
+  // Whether a side that bends goes on there, whatever the angle between its chords: of what is quadratic the parts of a straight side share their tangents.
+  bool smooth(int block, int v) const {
+    if (!model_.curved(block)) return false;
+    const auto at = [&](int local) { return model_.reference_vertex[size_t(global(block, local))]; };
+    const Vec2 behind = at(v) - at(previous(block, v)), ahead = at(next(block, v)) - at(v);
+    return std::abs(cross(behind, ahead)) <= corner_part * behind.norm() * ahead.norm() && behind.dot(ahead) > 0;
+  }
+  // Whether a side of the block goes straight on there, as near as two faces count as along each other.
+  bool straight(int block, int v) const {
+    const OutlineCorner& at = corner(block, v);
+    return own(block, v) && (smooth(block, v) || (std::abs(at.turn) <= parallel_sine && at.ahead.dot(at.behind) < 0 && !valley(block, v)));
   }
   bool outer(int block, int v) const { return corner(block, v).turn > parallel_sine; }
   bool convex(int block, int v) const { return corner(block, v).turn > 0; }
@@ -202,11 +215,6 @@ class NearPair {
   // m, by which what presses `deep` may have come beyond the end of an edge and still be on it: shear that goes over from one of two corners that press on each other
   // to the other moves them by the square of that.
   double slack(double length, double deep) const { return corner_part * length + deep * deep / least_; }
-  // Whether a side of the block goes straight on there, as near as two faces count as along each other.
-  bool straight(int block, int v) const {
-    const OutlineCorner& at = corner(block, v);
-    return std::abs(at.turn) <= parallel_sine && at.ahead.dot(at.behind) < 0 && own(block, v);
-  }
   // Sine by which the side of corner `v` of `block` that lies along that normal's face is aslant to it; 0 where none does.
   double aslant(int block, int v, const Vec2& n) const {
     const double a = std::abs(corner(block, v).ahead.dot(n)), b = std::abs(corner(block, v).behind.dot(n)), least = std::min(a, b);
@@ -253,16 +261,27 @@ class NearPair {
   }
   static bool lies_along(const Vec2& d, const Vec2& n) { return std::abs(d.dot(n)) <= parallel_sine; }  // unit vectors
 
-  // m, of the edges at corner `v` that lies along `e`, or 0; where both go straight on at one place, along what `e` goes on in too. Halves of the shares of all
+  // By how much the spring of a corner of a side that bends is stiffer than by its share of it: one of an even pressure is pressed in evenly where springs
+  // are as Simpson's weights, the work that such pressure does (theory, § 1). Sides have an even number of parts, and every other corner is the middle of two.
+  // Where all that lies along the corner's sides is the face, and has no corners there or the same ones; else by its share.
+  double simpson(int block_v, int v, int block_e, int e, double shared) const {
+    if (!model_.curved(block_v)) return 1;
+    double own = 0;
+    for (const int side : {v, previous(block_v, v)})
+      if (std::abs(cross(edge(block_v, side).along, edge(block_e, e).along)) <= parallel_sine) own += edge(block_v, side).length;
+    if (std::abs(shared - own) > 2 * meeting()) return 1;
+    const auto meets = [&](int w) { return (vertex(block_v, v) - vertex(block_e, w)).norm() <= 2 * meeting(); };
+    if (model_.curved(block_e) && !(meets(e) && v % 2 == e % 2) && !(meets(next(block_e, e)) && v % 2 == next(block_e, e) % 2)) return 1;
+    return v % 2 == 0 ? 2.0 / 3 : 4.0 / 3;
+  }
+  // m, of the edges at corner `v` that lies along `e`, or 0; at an end where that goes straight on, along what it goes on in too. Halves of the shares of all
   // corners on a face add up to it, as weights of the trapezoidal rule.
   double shared_length(int block, int v, int be, int e) const {
     const Face& face = edge(be, e);
     const Vec2 p = vertex(block, v);
     double low = 0, high = face.length;
-    if (straight(block, v)) {
-      if (std::abs(face.position(p)) <= meeting() && straight(be, e)) low -= edge(be, previous(be, e)).length;
-      if (std::abs(face.position(p) - face.length) <= meeting() && straight(be, next(be, e))) high += edge(be, next(be, e)).length;
-    }
+    if (std::abs(face.position(p)) <= meeting() && straight(be, e)) low -= edge(be, previous(be, e)).length;
+    if (std::abs(face.position(p) - face.length) <= meeting() && straight(be, next(be, e))) high += edge(be, next(be, e)).length;
     double forwards = 0, backwards = 0;
     for (int other : {next(block, v), previous(block, v)}) {
       const Vec2 q = vertex(block, other);

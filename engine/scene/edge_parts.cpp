@@ -19,14 +19,15 @@ int parts_of_edge(double length, double area) {
 // Of the edges of a tessellation, by their ends in order.
 class EdgeParts {
  public:
-  explicit EdgeParts(Tessellation& t) : points_(t.points) {
-    for (const std::vector<int>& cell : t.cells) {
+  EdgeParts(Tessellation& t, const std::vector<char>& bends) : points_(t.points) {
+    for (size_t c = 0; c < t.cells.size(); ++c) {
+      const std::vector<int>& cell = t.cells[c];
       Polyline outline;
       for (const int p : cell) outline.push_back(t.points[size_t(p)]);
       const double area = signed_area(outline);
       for (size_t i = 0; i < cell.size(); ++i) {
         int& count = parts_[std::minmax(cell[i], cell[(i + 1) % cell.size()])].count;
-        count = std::max(count, parts_of_edge((outline[(i + 1) % cell.size()] - outline[i]).norm(), area));
+        if (bends[c]) count = std::max(count, parts_of_edge((outline[(i + 1) % cell.size()] - outline[i]).norm(), area));
       }
     }
     for (auto& [ends, edge] : parts_) {
@@ -45,7 +46,7 @@ class EdgeParts {
 
  private:
   struct Part {
-    int count = 0, first = 0;  // first: of the points between the ends
+    int count = 1, first = 0;  // first: of the points between the ends
   };
   std::vector<Vec2>& points_;
   std::map<std::pair<int, int>, Part> parts_;
@@ -64,8 +65,8 @@ Polyline divided(const Polyline& outline) {
   return result;
 }
 
-void divide_edges(Tessellation& t) {
-  const EdgeParts parts(t);
+void divide_edges(Tessellation& t, const std::vector<char>& bends) {
+  const EdgeParts parts(t, bends);
   for (std::vector<int>& cell : t.cells) {
     std::vector<int> corners;
     for (size_t i = 0; i < cell.size(); ++i) {

@@ -1,8 +1,10 @@
 -- Ours. Single blocks of second order: their contacts follow their edges as they bend. They followed the mean of each edge, or its ends: a beam on two ledges bent by 0.2 to 1.8 of what it should, and of 930
 -- random scenes 207 had one block in another by more than a hundredth of its size, needles by all of it.
--- And sides with corners that do not turn, as those blocks and what is drawn so have: in a static run two that lay on each other took turns, and there was no equilibrium.
--- Source: a beam of constant curvature with shear (theory, § 1); the same pile without those corners; a corner is judged at y and shown at X, (θ-½)Δt v farther on, and edges are drawn by their chords (theory, § 1).
--- Run: scripts/run tests/hard/58_bent_edges.lua    (5 s CPU)
+-- And sides with corners that do not turn, as those blocks and what is drawn so have: in a static run two that lay on each other took turns, and there was no equilibrium; a corner that came
+-- to lie on one counted twice, and stacks and cohesion were up to 1.5 times what they should, as rounding would have it. What slid over the sides of a soft meshed body of second order, which stand off each
+-- other where its blocks meet, was pressed by these steps: up to 8.6 times the energy of a scene unexplained.
+-- Source: a beam of constant curvature with shear (theory, § 1); the same pile without those corners; blocks and springs in a row; Coulomb; a corner is judged at y and shown at X, (θ-½)Δt v farther on, and edges are drawn by their chords (theory, § 1).
+-- Run: scripts/run tests/hard/58_bent_edges.lua    (8 s CPU)
 local talus = require "talus"
 local u, check, tools = talus.units, talus.check, require "tools"
 local quiet = { vtk = false, picture = false }
@@ -61,8 +63,8 @@ local function shortening(order, n, middles)
 end
 for _, n in ipairs {6, 8, 12} do
   local plain = shortening(1, n, false)
-  check.near(("%d loose triangles with corners in their sides: shortening, over that without"):format(2*n^2), shortening(1, n, true)/plain, 1, { abs = 0.0025 })
-  check.near(("%d loose triangles of second order: shortening, over that of first"):format(2*n^2), shortening(2, n, false)/plain, 1, { abs = 0.0025 })
+  check.near(("%d loose triangles with corners in their sides: shortening, over that without"):format(2*n^2), shortening(1, n, true)/plain, 1, { abs = 2e-6 })
+  check.near(("%d loose triangles of second order: shortening, over that of first"):format(2*n^2), shortening(2, n, false)/plain, 1, { abs = 2e-5 })
 end
 
 -- The same of a square that joints cut.
@@ -85,7 +87,69 @@ local function cut_square(order, n)
   return -sim.probes.top.uy*young/(76*u.MPa)
 end
 for _, n in ipairs {4, 12} do
-  check.near(("a square that joints cut into %d triangles: shortening, second order over first"):format(2*n^2), cut_square(2, n)/cut_square(1, n), 1, { abs = 0.0025 })
+  check.near(("a square that joints cut into %d triangles: shortening, second order over first"):format(2*n^2), cut_square(2, n)/cut_square(1, n), 1, { abs = 5e-4 })
+end
+
+-- A stack of four on joints as soft as themselves: shortening over that of blocks and springs in a row.
+local function stack(order, parts, degrees, shift)
+  local c, s, young, pressure = math.cos(math.rad(degrees)), math.sin(math.rad(degrees)), 10*u.GPa, 1*u.MPa
+  local function at(x, y) return { c*x - s*y + shift, s*x + c*y + shift } end
+  local blocks = {}
+  for k = 0, 3 do
+    local outline = {}
+    local function side(x, y, dx, dy) for i = 0, parts - 1 do outline[#outline + 1] = at(x + dx*i/parts, y + dy*i/parts) end end
+    side(0, k, 1, 0)
+    side(1, k, 0, 1)
+    side(1, k + 1, -1, 0)
+    side(0, k + 1, 0, -1)
+    blocks[k + 1] = outline
+  end
+  local function line(y)
+    local from, to = at(0, y), at(1, y)
+    return talus.line(from[1], from[2], to[1], to[2])
+  end
+  local sim = talus.simulation { contact = talus.joint { friction = 0.7, stiffness = { per = "area", value = young } }, output = quiet, time = { mode = "static" },
+    regions = { talus.region { name = "stack", blocks = blocks, order = order, material = talus.material { name = "rock", density = 2500, young = young, poisson = 0 } } },
+    fix = { talus.fix { region = "stack", on = line(0) } }, loads = { talus.edge_load { region = "stack", on = line(4), traction = { s*pressure, -c*pressure } } } }
+  sim:run()
+  local top = sim.blocks[4]
+  return (s*top.ux - c*top.uy)/(6.5*pressure/young)
+end
+for _, order in ipairs {1, 2} do
+  for parts = 1, 3 do
+    for _, as in ipairs { {0, 0}, {37, 0}, {0, 1e4}, {37, 1e4} } do
+      check.near(("a stack of order %d, sides in %d parts, turned by %g degrees, %g m off: shortening over the closed form"):format(order, parts, as[1], as[2]), stack(order, parts, as[1], as[2]), 1, { abs = 1e-6 })
+    end
+  end
+end
+
+-- A column of second order that a joint with cohesion cuts at 40 degrees: what it slides in half a second, of the cohesion that holds it.
+local function slid(part)
+  local dip, friction, density, gravity, height = math.rad(40), math.rad(20), 2500, 9.81, 2.2
+  local weight, long = density*gravity*2*(height - 0.2 - math.tan(dip)), 2/math.cos(dip)
+  local joint = talus.joint { friction = friction, cohesion = part*weight*(math.sin(dip) - math.cos(dip)*math.tan(friction))/long }
+  local sim = talus.simulation { gravity = {0, -gravity}, output = quiet, time = { t_end = 0.5, dt = 2e-3 },
+    regions = { talus.region { name = "column", outline = talus.rect(0, 0, 2, height), order = 2, material = talus.material { name = "rock", density = density, young = 1*u.GPa, poisson = 0.2 },
+                               cuts = { talus.trace { points = { {-0.5, 0.2 - 0.5*math.tan(dip)}, {2.5, 0.2 + 2.5*math.tan(dip)} }, joint = joint } } } },
+    fix = { talus.fix { region = "column", on = "bottom" } } }
+  sim:run()
+  return math.max(sim.blocks[1].u, sim.blocks[2].u)
+end
+check.above("a joint with 0.95 of the cohesion that holds: slid in 0.5 s, m", slid(0.95), 0.01)
+check.below("a joint with 1.05 of it: slid in 0.5 s, m", slid(1.05), 1e-3)
+
+-- A meshed beam of second order on two legs, which a stone hits.
+for _, case in ipairs { {10*u.MPa, 5e-4}, {10*u.MPa}, {20*u.MPa} } do
+  local soft = talus.material { name = "soft", density = 2500, young = case[1], poisson = 0.2 }
+  local sim = talus.simulation { gravity = {0, -9.81}, contact = talus.joint { friction = 0.4 }, output = quiet, time = { t_end = 0.5, dt = case[2] },
+    regions = { talus.region { name = "base", outline = talus.rect(-3, -1, 3, 0), held = true, material = soft },
+                talus.region { name = "beam", outline = talus.rect(-1.5, 0.3, 1.5, 0.6), order = 2, material = soft, mesh = { kind = "cross", nx = 6, ny = 1 } },
+                talus.region { name = "leg 1", outline = talus.rect(-1.3, 0, -1.1, 0.3), order = 2, material = soft },
+                talus.region { name = "leg 2", outline = talus.rect(1, 0, 1.2, 0.3), order = 2, material = soft },
+                talus.region { name = "stone", outline = { {-0.4, 0.8}, {0.5, 0.7}, {0.3, 1.3}, {-0.3, 1.2} }, order = 2, material = soft, velocity = {0, -2} } } }
+  local most = 0
+  for _ in sim:steps() do most = math.max(most, math.abs(sim.energy.unexplained)/sim.energy.scale) end
+  check.below(("a meshed beam of %g MPa that a stone hits, %s: unexplained energy, of the scale"):format(case[1]/u.MPa, case[2] and "dt given" or "automatic steps"), most, 0.01)
 end
 
 -- m, of the deepest corner of one outline in the other.

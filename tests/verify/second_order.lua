@@ -120,7 +120,7 @@ for _, n in ipairs { 4, 16 } do
   -- Contacts of 100 E/h add h/100 E a joint, and between halves of squares there are two joints in the way h: a part of 0.02, or by a half
   -- more where the mean size of the blocks, not their height, is h.
   talus.check.between(("%d loose triangles of first order: shortening over the elastic one"):format(2*n^2), first, 1, 1.03)
-  talus.check.near(("%d loose triangles: shortening, second order over first"):format(2*n^2), second/first, 1, { abs = 0.002 })
+  talus.check.near(("%d loose triangles: shortening, second order over first"):format(2*n^2), second/first, 1, { abs = 2e-5 })
 end
 
 -- A free disc for ten turns; the outline has 32 sides, and its own area is taken for that of the disc.
