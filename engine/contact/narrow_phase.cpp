@@ -219,6 +219,8 @@ void drop_twins(const NearPair& pair, size_t first, std::vector<Contact>& found)
 // face that is to be left by the shortest way.
 void least_deep(const NearPair& pair, const Model& model, size_t first, std::vector<Contact>& found) {
   const std::array blocks{pair.i(), pair.j()}, corners{model.vertex_count(blocks[0]), model.vertex_count(blocks[1])};
+  for (const int block : blocks)
+    if (model.dented(block, std::span(model.vertex).subspan(size_t(model.shapes[size_t(block)].vertex_begin), size_t(model.vertex_count(block))))) return;
   const std::array parts{pair.parts_of(blocks[0]), pair.parts_of(blocks[1])};
   const auto out = parts[0] || parts[1] ? way_out(parts, corners, pair.meeting(), [&](int of, int corner) { return pair.vertex(blocks[size_t(of)], corner); })
                                         : way_out(corners, pair.meeting(), [&](int of, int face, int corner) {

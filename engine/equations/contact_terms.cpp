@@ -24,22 +24,25 @@ ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int lo
   return poses.blocks[block].rows<n>(model.reference_vertex[v], poses.vertex[v], m).transpose() * direction;
 }
 
-// The same of what is `part` of the way along an edge: of one that stays straight it goes with the ends, of one that bends it is a material point.
-template <int n>
-ColumnOf<n> edge_row(const Model& model, const Poses& poses, int block, int edge, double part, const Vec2& at, const Vec2& direction) {
-  const int next = model.next_vertex(block, edge);
-  if (!model.curved(block)) return (1 - part) * vertex_row<n>(model, poses, block, edge, direction) + part * vertex_row<n>(model, poses, block, next, direction);
-  const int begin = model.shapes[block].vertex_begin;
-  const Vec2 in_block = (1 - part) * model.reference_vertex[begin + edge] + part * model.reference_vertex[begin + next];
-  return poses.blocks[block].rows<n>(in_block, at).transpose() * direction;
-}
-
 CurvedEdge curved_edge(const Model& model, const Poses& poses, int block, int edge) {
   const BlockShape& shape = model.shapes[block];
   const Pose& pose = poses.blocks[block];
   const int from = shape.vertex_begin + edge, to = shape.vertex_begin + model.next_vertex(block, edge);
   const Vec3 rise = pose.bend->shape.rise(model.reference_vertex[to] - model.reference_vertex[from]);
   return {poses.vertex[from], poses.vertex[to] - poses.vertex[from], pose.rotation.turn(Bend::sum(rise, pose.bend->now))};
+}
+
+// The same of what is `part` of the way along an edge: of one that stays straight it goes with the ends, of one that bends it is a material point, whose place,
+// and so row, is quadratic in the part; and linear beyond the ends.
+template <int n>
+ColumnOf<n> edge_row(const Model& model, const Poses& poses, int block, int edge, double part, const Vec2& direction) {
+  const int next = model.next_vertex(block, edge), begin = model.shapes[block].vertex_begin;
+  const ColumnOf<n> from = vertex_row<n>(model, poses, block, edge, direction), to = vertex_row<n>(model, poses, block, next, direction);
+  if (!model.curved(block)) return (1 - part) * from + part * to;
+  const Vec2 middle = (model.reference_vertex[begin + edge] + model.reference_vertex[begin + next]) / 2;
+  const ColumnOf<n> rise = poses.blocks[block].rows<n>(middle, poses.blocks[block].place(middle)).transpose() * direction - (from + to) / 2;
+  const double in = CurvedEdge::within(part);
+  return (1 - part) * from + part * to + 4 * (in * (1 - in) + (part - in) * (1 - 2 * in)) * rise;
 }
 
 EdgeFoot foot_of(const Model& model, const Poses& poses, const Contact& contact, const Vec2& at) {
@@ -99,7 +102,7 @@ void ContactTerms::set_rows(const Model& model, const Contact& contact, const Po
     const double part = model.curved(contact.j) ? curved_edge(model, poses, contact.j, contact.edge).nearest(at) : along.dot(foot - from) / along.dot(span);
     for (const auto& [direction, of_i, of_j] : {std::tuple(normal, &row.normal_i, &row.normal_j), {along, &row.shear_i, &row.shear_j}}) {
       set(*of_i, vertex_row<n>(model, poses, contact.i, contact.vertex, direction));
-      set(*of_j, -edge_row<n>(model, poses, contact.j, contact.edge, part, foot, direction));
+      set(*of_j, -edge_row<n>(model, poses, contact.j, contact.edge, part, direction));
     }
     const ColumnOf<n> turns = (vertex_row<n>(model, poses, contact.j, contact.edge, normal) - vertex_row<n>(model, poses, contact.j, next, normal)) / span.norm();
     for (int k = 0; k < n; ++k) row.shear_j[size_t(k)] -= gap * turns[k];

@@ -12,7 +12,7 @@ double CurvedEdge::nearest(const Vec2& point) const {
   double at = (point - from).dot(span) / span.squaredNorm();
   for (int k = 0; k < most_steps; ++k) {
     const Vec2 off = point - place(at), along = tangent(at);
-    const double slope = along.squaredNorm() + 8 * off.dot(rise);
+    const double slope = along.squaredNorm() + (at > 0 && at < 1 ? 8 * off.dot(rise) : 0);
     if (slope <= 0) break;
     const double step = off.dot(along) / slope;
     at += step;

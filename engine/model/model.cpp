@@ -85,6 +85,18 @@ CurvedEdge Model::curved_edge(int block, int edge) const {
   return {vertex[from], vertex[to] - vertex[from], rise(block, edge, blocks[block])};
 }
 
+bool Model::dented(int block, std::span<const Vec2> corners) const {
+  constexpr double straight = 3e-5;  // sine of an angle: sides of slender blocks then sag by less than what corners in one place may be apart
+  const auto turn = [](const Vec2& before, const Vec2& at, const Vec2& after) { return cross(at - before, after - at) / ((at - before).norm() * (after - at).norm()); };
+  const int count = vertex_count(block);
+  const Vec2* const drawn = reference_vertex.data() + shapes[block].vertex_begin;
+  for (int v = 0; curved(block) && v < count; ++v) {
+    const int before = v == 0 ? count - 1 : v - 1, after = next_vertex(block, v);
+    if (turn(corners[size_t(before)], corners[size_t(v)], corners[size_t(after)]) < -straight && turn(drawn[before], drawn[v], drawn[after]) > -straight) return true;
+  }
+  return false;
+}
+
 double Model::largest_rise(int block, const BlockState& state) const {
   double largest = 0;
   for (int e = 0; curved(block) && e < vertex_count(block); ++e) largest = std::max(largest, rise(block, e, state).norm());
@@ -95,7 +107,7 @@ double Model::largest_rise(int block, const BlockState& state) const {
 Vec2 Model::velocity_on_bent_edge(int block, int edge, const Vec2& point) const {
   const int from = shapes[block].vertex_begin + edge, to = shapes[block].vertex_begin + next_vertex(block, edge);
   if (curved(block)) {
-    const double at = curved_edge(block, edge).nearest(point);
+    const double at = CurvedEdge::within(curved_edge(block, edge).nearest(point));
     const Vec2 in_block = (1 - at) * reference_vertex[from] + at * reference_vertex[to];
     return bent_velocity(block, in_block, point, shapes[block].bend().monomials(in_block));
   }

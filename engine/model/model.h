@@ -409,6 +409,8 @@ class Model {
   // Whether contacts follow the edges of a block as they bend.
   bool curved(int block) const { return shapes[block].second_order() && quadratic_shapes[size_t(shapes[block].quadratic)].curved; }
   CurvedEdge curved_edge(int block, int edge) const;  // of a curved block, as it lies
+  // Whether sides of a curved block, with its corners there, have bent inwards: what holds of convex blocks and parts does not of it.
+  bool dented(int block, std::span<const Vec2> corners) const;
   double largest_rise(int block, const BlockState& state) const;  // m, of the middles of its edges; 0 where it is not curved
   // Of a point of an edge, which stays straight between its corners where the block is not curved; of first order that is velocity_at.
   Vec2 velocity_on_edge(int block, int edge, const Vec2& point) const {
