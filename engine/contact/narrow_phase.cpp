@@ -29,25 +29,36 @@ double place_met(const Face& edge, double gap, double s, const Vec2& way) {
   return gap > 0 && ahead < 0 ? s + edge.along.dot(way) * gap / (gap - ahead) : s;
 }
 
-// Where a vertex is inside two edges that share a convex corner it rests on the one it entered last; where these are parts of one side, on one of them, that
-// it was on before.
+// Where a vertex is inside two edges that share a convex corner it rests on the one it entered last; where these are parts of one side, on one of them, be it next to
+// its end: the one that its own side lies on, as of a joint, and if that does on both, the one that it was on before.
 void drop_deeper(const NearPair& pair, int vertex_block, int vertex, int block, std::vector<Candidate>& candidates) {
   if (candidates.size() < 2) {
     std::erase_if(candidates, [](const Candidate& c) { return !c.on; });
     return;
   }
+  const auto lies = [&](const Candidate& c) { return pair.overlap(vertex_block, vertex, pair.edge(block, c.edge), 0, 0) > pair.meeting(); };
   const auto loaded = [&](const Candidate& c) { return pair.loaded_before(vertex_block, vertex, block, c.edge); };
   const auto shallower = [](const Candidate& a, const Candidate& b) { return a.gap > b.gap || (a.gap == b.gap && a.edge < b.edge); };
+  const auto better = [&](const Candidate& a, const Candidate& b) {
+    if (lies(a) != lies(b)) return lies(a);
+    if (loaded(a) != loaded(b)) return loaded(a);
+    return a.on == b.on ? shallower(a, b) : a.on;
+  };
   std::vector<Candidate> kept;
   for (const Candidate& c : candidates) {
-    const bool dropped = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+    bool dropped = false, on = c.on;
+    for (const Candidate& other : candidates) {
       const bool follows = pair.next(block, c.edge) == other.edge, leads = pair.next(block, other.edge) == c.edge;
-      if (!(follows || leads) || other.edge == c.edge) return false;
+      if (!(follows || leads) || other.edge == c.edge) continue;
       const int between = follows ? other.edge : c.edge;
-      if (pair.straight(block, between)) return other.on && (loaded(c) == loaded(other) ? shallower(other, c) : loaded(other));
-      return c.gap < 0 && pair.convex(block, between) && shallower(other, c);
-    });
-    if (!dropped && c.on) kept.push_back(c);
+      if (pair.straight(block, between)) {
+        dropped = dropped || better(other, c);
+        on = on || other.on;
+      } else {
+        dropped = dropped || (c.gap < 0 && pair.convex(block, between) && shallower(other, c));
+      }
+    }
+    if (!dropped && on) kept.push_back(c);
   }
   candidates = std::move(kept);
 }

@@ -220,6 +220,19 @@ class NearPair {
     const double a = std::abs(corner(block, v).ahead.dot(n)), b = std::abs(corner(block, v).behind.dot(n)), least = std::min(a, b);
     return least <= parallel_sine ? least : 0;
   }
+  // m, of the sides at corner `v` that lies along a face, which goes on by so much at its ends.
+  double overlap(int block, int v, const Face& face, double before, double beyond) const {
+    const Vec2 p = vertex(block, v);
+    const auto on_face = [&](const Vec2& q) { return std::clamp(face.position(q), -before, face.length + beyond); };
+    double forwards = 0, backwards = 0;
+    for (int other : {next(block, v), previous(block, v)}) {
+      const Vec2 q = vertex(block, other);
+      if (std::abs(face.normal.dot(q - p)) > parallel_sine * (q - p).norm()) continue;
+      const double along = on_face(q) - on_face(p);
+      if (std::abs(along) > corner_part * face.length) forwards = std::max(forwards, along), backwards = std::max(backwards, -along);
+    }
+    return forwards + backwards;
+  }
   // m, by which an edge goes on under the wall at an inner corner; what lies in a shallow one is out of both edges by the sine of its depth.
   double under_wall(int block, int v) const {
     return corner(block, v).turn < -parallel_sine || notch(block, v) ? -deepest() : std::max(way_, meeting());
@@ -278,18 +291,10 @@ class NearPair {
   // corners on a face add up to it, as weights of the trapezoidal rule.
   double shared_length(int block, int v, int be, int e) const {
     const Face& face = edge(be, e);
-    const Vec2 p = vertex(block, v);
-    double low = 0, high = face.length;
-    if (std::abs(face.position(p)) <= meeting() && straight(be, e)) low -= edge(be, previous(be, e)).length;
-    if (std::abs(face.position(p) - face.length) <= meeting() && straight(be, next(be, e))) high += edge(be, next(be, e)).length;
-    double forwards = 0, backwards = 0;
-    for (int other : {next(block, v), previous(block, v)}) {
-      const Vec2 q = vertex(block, other);
-      if (std::abs(face.normal.dot(q - p)) > parallel_sine * (q - p).norm()) continue;
-      const double along = std::clamp(face.position(q), low, high) - std::clamp(face.position(p), low, high);
-      if (std::abs(along) > corner_part * face.length) forwards = std::max(forwards, along), backwards = std::max(backwards, -along);
-    }
-    return forwards + backwards;
+    const double at = face.position(vertex(block, v));
+    const double before = std::abs(at) <= meeting() && straight(be, e) ? edge(be, previous(be, e)).length : 0;
+    const double beyond = std::abs(at - face.length) <= meeting() && straight(be, next(be, e)) ? edge(be, next(be, e)).length : 0;
+    return overlap(block, v, face, before, beyond);
   }
 
   const Model& model_;

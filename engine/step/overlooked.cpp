@@ -234,7 +234,6 @@ class Hindsight {
   double lie_in(int a, int b, Place place, double enough) {
     const std::array blocks{a, b};
     const std::array<const Polyline*, 2> outlines{&outline(a, place).corners, &outline(b, place).corners};
-    if (model_.dented(a, *outlines[0]) || model_.dented(b, *outlines[1])) return 0;
     const auto out = way_out({search_.surface().parts_of(a), search_.surface().parts_of(b)}, {model_.vertex_count(a), model_.vertex_count(b)}, enough,
                              [&](int of, int corner) -> const Vec2& { return (*outlines[size_t(of)])[size_t(corner)]; });
     if (!out || !search_.surface().free_edge[size_t(model_.shapes[size_t(blocks[size_t(out->of)])].vertex_begin + out->face)]) return 0;
