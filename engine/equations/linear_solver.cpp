@@ -229,6 +229,16 @@ void LinearSolver::solve_coarsely(const Vector& b, Vector& x) {
   if ((coarse - x).norm() <= allowed * x.norm()) state = Cholmod::Coarse::serves;
 }
 
+void LinearSolver::solve_coarsely(const Vector& b, Vector& x, const FactorPart& part) {
+  if (cholmod_->coarse_state != Cholmod::Coarse::serves) return solve_coarsely(b, x);
+  cholmod_->coarse.solve(b, x, part);
+}
+
+FactorPart LinearSolver::part(std::span<const int> unknowns) const {
+  if (!cholmod_->good) throw std::logic_error("part without a factor");
+  return part_of(cholmod_->supernodes(), unknowns);
+}
+
 Compliance LinearSolver::compliance() const {
   if (!cholmod_->good) throw std::logic_error("compliance without a factor");
   return Compliance(cholmod_->supernodes());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "equations/simd.h"
 
@@ -139,29 +140,54 @@ struct Place {
   }
 };
 
-// y becomes (L Lᵀ)⁻¹ y.
+// y becomes (L Lᵀ)⁻¹ y, by supernodes of which each leads to others among them.
 template <class Scalar>
-TALUS_WITHIN void substitute_in(const SupernodalFactor& whole, const Scalar* values, const Scalar* inverse, Scalar* y, Scalar* part) {
-  const size_t last = whole.first.size() - 2;
-  for (size_t s = 0; s < last; ++s) Place<Scalar, false>(whole, s, values, inverse, y, part).forward(y);
-  Place<Scalar, true>(whole, last, values, inverse, y, part).forward(y);
-  Place<Scalar, true>(whole, last, values, inverse, y, part).backward(y);
-  for (size_t s = last; s-- > 0;) Place<Scalar, false>(whole, s, values, inverse, y, part).backward(y);
+TALUS_WITHIN void substitute_in(const SupernodalFactor& whole, std::span<const int> supernodes, const Scalar* values, const Scalar* inverse, Scalar* y,
+                                Scalar* part) {
+  const bool with_last = size_t(supernodes.back()) == whole.first.size() - 2;
+  const size_t last = whole.first.size() - 2, others = supernodes.size() - with_last;
+  for (size_t k = 0; k < others; ++k) Place<Scalar, false>(whole, size_t(supernodes[k]), values, inverse, y, part).forward(y);
+  if (with_last) {
+    Place<Scalar, true>(whole, last, values, inverse, y, part).forward(y);
+    Place<Scalar, true>(whole, last, values, inverse, y, part).backward(y);
+  }
+  for (size_t k = others; k-- > 0;) Place<Scalar, false>(whole, size_t(supernodes[k]), values, inverse, y, part).backward(y);
 }
 
-TALUS_WIDE void substitute(const SupernodalFactor& whole, const float* values, const float* inverse, float* y, float* part) {
-  substitute_in(whole, values, inverse, y, part);
+TALUS_WIDE void substitute_by(const SupernodalFactor& whole, std::span<const int> supernodes, const float* values, const float* inverse, float* y,
+                              float* part) {
+  substitute_in(whole, supernodes, values, inverse, y, part);
 }
-TALUS_WIDE void substitute(const SupernodalFactor& whole, const double* values, const double* inverse, double* y, double* part) {
-  substitute_in(whole, values, inverse, y, part);
+TALUS_WIDE void substitute_by(const SupernodalFactor& whole, std::span<const int> supernodes, const double* values, const double* inverse, double* y,
+                              double* part) {
+  substitute_in(whole, supernodes, values, inverse, y, part);
 }
 
 }  // namespace
+
+FactorPart part_of(const SupernodalFactor& factor, std::span<const int> unknowns) {
+  const size_t count = factor.first.size() - 1;
+  std::vector<char> wanted(factor.order.size(), 0), reached(factor.order.size(), 0);  // of unknowns; of places in the factor's order
+  for (const int unknown : unknowns) wanted[size_t(unknown)] = 1;
+  FactorPart part;
+  for (size_t s = 0; s < count; ++s) {
+    const int first = factor.first[s], end = factor.first[s + 1], row = factor.row_begin[s] + end - first;
+    bool any = false;
+    for (int k = first; k < end; ++k) any = any || reached[size_t(k)] || wanted[size_t(factor.order[size_t(k)])];
+    if (!any) continue;
+    part.supernodes.push_back(int(s));
+    for (int k = first; k < end; ++k) part.unknowns.push_back(k);
+    if (row < factor.row_begin[s + 1]) reached[size_t(factor.rows[size_t(row)])] = 1;  // its parent in the elimination tree
+  }
+  return part;
+}
 
 template <class Scalar>
 bool SupernodalSolve<Scalar>::take(const SupernodalFactor& factor) {
   constexpr double least = 1e-15, largest = 1e15;  // their products with unknowns near one stay in the range of single precision
   whole_ = factor;
+  all_.resize(factor.first.size() - 1);
+  std::iota(all_.begin(), all_.end(), 0);
   inverse_.resize(factor.order.size());
   y_.resize(factor.order.size() + wide);
   part_.resize(factor.order.size() + wide);
@@ -193,11 +219,27 @@ void SupernodalSolve<Scalar>::solve(const Vector& b, Vector& x) {
     return;
   }
   for (size_t k = 0; k < order.size(); ++k) y_[k] = Scalar(b[order[k]] / scale);
-  if constexpr (copies)
-    substitute(whole_, values_.data(), inverse_.data(), y_.data(), part_.data());
-  else
-    substitute(whole_, whole_.values.data(), inverse_.data(), y_.data(), part_.data());
+  substitute(all_);
   for (size_t k = 0; k < order.size(); ++k) x[order[k]] = scale * double(y_[k]);
+}
+
+template <class Scalar>
+void SupernodalSolve<Scalar>::solve(const Vector& b, Vector& x, const FactorPart& part) {
+  const auto& order = whole_.order;
+  x.resize(b.size());
+  double scale = 0;
+  for (const int k : part.unknowns) scale = std::max(scale, std::abs(b[order[size_t(k)]]));
+  for (const int k : part.unknowns) y_[size_t(k)] = scale > 0 ? Scalar(b[order[size_t(k)]] / scale) : 0;
+  if (scale > 0) substitute(part.supernodes);
+  for (const int k : part.unknowns) x[order[size_t(k)]] = scale * double(y_[size_t(k)]);
+}
+
+template <class Scalar>
+void SupernodalSolve<Scalar>::substitute(std::span<const int> supernodes) {
+  if constexpr (copies)
+    substitute_by(whole_, supernodes, values_.data(), inverse_.data(), y_.data(), part_.data());
+  else
+    substitute_by(whole_, supernodes, whole_.values.data(), inverse_.data(), y_.data(), part_.data());
 }
 
 template class SupernodalSolve<float>;

@@ -17,6 +17,13 @@ struct SupernodalFactor {
   std::span<const double> values;
 };
 
+// The part of a factor that solves for some unknowns under forces on them alone: the supernodes that they lie in and all that those lead to.
+struct FactorPart {
+  std::vector<int> supernodes;  // rising
+  std::vector<int> unknowns;    // of these, in the order of the factor
+};
+FactorPart part_of(const SupernodalFactor& factor, std::span<const int> unknowns);
+
 template <class Scalar>
 class SupernodalSolve {
  public:
@@ -24,14 +31,18 @@ class SupernodalSolve {
   bool take(const SupernodalFactor& factor);
   // x = K⁻¹ b.
   void solve(const Vector& b, Vector& x);
+  // The same at the unknowns of `part`, beyond which b is nought; of x it sets only these.
+  void solve(const Vector& b, Vector& x, const FactorPart& part);
 
  private:
+  void substitute(std::span<const int> supernodes);
   static constexpr bool copies = !std::is_same_v<Scalar, double>;
 
   SupernodalFactor whole_;
   std::vector<Scalar> values_;   // of L where it is a copy
   std::vector<Scalar> inverse_;  // of L's diagonal
   std::vector<Scalar> y_, part_;
+  std::vector<int> all_;  // supernodes
 };
 
 extern template class SupernodalSolve<float>;

@@ -24,9 +24,9 @@ void SweepsOf<size>::rebuild() {
   std::vector<Lanes<size>>& sum = motion_;
   sum = force_;
   for (size_t k = 0; k < contacts_.size(); ++k) {
-    const Link& link = contacts_[k];
     const auto [n, t] = forces_[k];
     if (n == 0 && t == 0) continue;
+    const Link& link = contacts_[k];
     const SweptRows<size>& rows = rows_[link.rows];
     go(rows.ni, rows.si, n, t, sum[link.i]);
     go(rows.nj, rows.sj, n, t, sum[link.j]);
@@ -72,6 +72,7 @@ void SweepsOf<size>::watch() {
   }
   all_ = true;
   if (!first && active == active_.contacts) return;
+  kept_whole_ = 0;
   active_.groups = grouped(active);
   active_.contacts = std::move(active);
 }
@@ -120,56 +121,46 @@ std::vector<int> SweepsOf<size>::moved_by(const std::vector<int>& contacts) cons
 template <int size>
 void SweepsOf<size>::keep_forces(State& to) const {
   to.bond = bond_;
-  if (!keeps_some()) {
+  if (!keeps_swept()) {
     to.forces = forces_;
     return;
   }
-  for (const int contact : changing_.contacts) to.forces[size_t(contact)] = forces_[size_t(contact)];
+  for (const int contact : swept().contacts) to.forces[size_t(contact)] = forces_[size_t(contact)];
 }
 
 template <int size>
 void SweepsOf<size>::keep(State& to) const {
   keep_forces(to);
-  if (!keeps_some()) {
+  if (!keeps_swept() || all_) {
     to.motion = motion_;
     return;
   }
   for (const int block : changing_.blocks) to.motion[size_t(block)] = motion_[size_t(block)];
 }
 
-// As they come: each into the first of the last few groups that has room for it and moves no block, nor a patch, that it moves.
+// As they come: each into the first of the last few groups that has room for it and comes after all that move a block, or a patch, that it moves.
 template <int size>
 std::vector<SweptGroup<size>> SweepsOf<size>::grouped(const std::vector<int>& contacts) const {
-  constexpr size_t filled_at_once = 8;
-  constexpr int no_patch = -1;  // as of what is held
+  constexpr int filled_at_once = 8;
   const int held = int(blocks_.size()), none = int(contacts_.size());
-  struct Filled {
-    size_t count = 0;
-    std::array<int, 8> patches;  // that it moves
-    bool moves(int patch) const {
-      bool any = false;
-      for (const int own : patches) any |= own == patch;
-      return any && patch != no_patch;
-    }
-    bool takes(int a, int b) const { return count < 4 && !moves(a) && !moves(b); }
-  };
   std::vector<SweptGroup<size>> groups;
-  std::vector<Filled> filled;  // of each group
-  size_t first = 0;
+  groups.reserve(contacts.size() / 3);
+  std::vector<int> filled;                         // contacts of each group
+  std::vector<int> next(patches_.size(), 0);       // of each patch, the first group that comes after all that move it
   for (const int k : contacts) {
     const Link& link = contacts_[size_t(k)];
     const int a = patch_of_[size_t(link.i)], b = patch_of_[size_t(link.j)];
-    size_t g = first;
-    while (g < groups.size() && !filled[g].takes(a, b)) ++g;
-    if (g == groups.size()) {
+    int g = std::max(0, int(groups.size()) - filled_at_once);
+    for (const int patch : {a, b})
+      if (patch >= 0) g = std::max(g, next[size_t(patch)]);
+    while (g < int(groups.size()) && filled[size_t(g)] == 4) ++g;
+    if (g == int(groups.size())) {
       groups.push_back(SweptGroup<size>::of_nothing(none, held, int(rows_.size()) - 1));
-      filled.emplace_back().patches.fill(no_patch);
-      if (groups.size() > first + filled_at_once) ++first;
+      filled.push_back(0);
     }
-    Filled& group = filled[g];
-    group.patches[2 * group.count] = a;
-    group.patches[2 * group.count + 1] = b;
-    groups[g].put(group.count++, k, link);
+    for (const int patch : {a, b})
+      if (patch >= 0) next[size_t(patch)] = g + 1;
+    groups[size_t(g)].put(size_t(filled[size_t(g)]++), k, link);
   }
   return groups;
 }

@@ -77,7 +77,7 @@ class SweepsOf : public Sweeping {
   std::vector<int> moved_by(const std::vector<int>& contacts) const;
   void take(const std::vector<double>& normal, const std::vector<double>& shear, const Vector& d);
   void relax(size_t tied);
-  bool keeps_some() const { return !all_ && kept_whole_ >= 2; }
+  bool keeps_swept() const { return kept_whole_ >= 2; }
   void keep_forces(State& to) const;
   void keep(State& to) const;
   void rebuild();  // motion_ from the forces
@@ -105,7 +105,7 @@ class SweepsOf : public Sweeping {
   Swept active_;    // all that press or may soon
   Swept changing_;  // those of them that still change, and what is beside them
   bool all_ = true;  // of active_ are swept
-  int kept_whole_ = 0;  // states since not all are: after two both that a pair is compared with have what does not change
+  int kept_whole_ = 0;  // states since others are swept: after two both that a pair is compared with have what does not change
   const Swept& swept() const { return all_ ? active_ : changing_; }
   std::vector<SweptMotion<size>> moved_;
   std::vector<int> moved_block_;  // whose that is

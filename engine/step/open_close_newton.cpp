@@ -62,6 +62,10 @@ struct OpenClose::Change {
   const ContactRows* row;
   bool shear_force, shear_motion;
   double stiffness;
+  void add_unknowns(std::vector<int>& unknowns) const {
+    for (int k = 0; k < row->size_i; ++k) unknowns.push_back(row->dof_i + k);
+    for (int k = 0; k < row->size_j; ++k) unknowns.push_back(row->dof_j + k);
+  }
   double motion(const Vector& x) const {
     return shear_motion ? row->along(row->shear_i, row->shear_j, x) : row->along(row->normal_i, row->normal_j, x);
   }
@@ -162,13 +166,16 @@ void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>
     for (Eigen::Index k = 0; k < count; ++k) y[k] = changes[size_t(k)].motion(x);
   };
   const KnownPart known(*this, problem, changes);
-  Vector force, x, right, y, from;
+  Vector force = Vector::Zero(r.size()), x, right, y, from;
+  std::vector<int> unknowns;
+  for (const Change& change : changes) change.add_unknowns(unknowns);
+  const FactorPart part = problem.solver.part(unknowns);
   const auto apply = [&](const Vector& of, Vector& to) {
     from = of;
     known.solve(from);
-    force.setZero(r.size());
+    for (const int unknown : unknowns) force[unknown] = 0;
     for (Eigen::Index k = 0; k < count; ++k) changes[size_t(k)].add_force(from[k], force);
-    problem.solver.solve_coarsely(force, x);
+    problem.solver.solve_coarsely(force, x, part);
     motions(x, to);
     to += from;
   };
@@ -178,7 +185,10 @@ void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>
   known.solve(y);
   force = r;
   for (Eigen::Index k = 0; k < count; ++k) changes[size_t(k)].add_force(-y[k], force);
-  problem.solver.solve(force, p);
+  if (leaves >= coarse)  // of which a part in ten thousand is less than what is left anyway
+    problem.solver.solve_coarsely(force, p);
+  else
+    problem.solver.solve(force, p);
 }
 
 // From the solution with the aimed states and frozen friction at what slips to the one in which it follows the normal force.

@@ -12,7 +12,7 @@ namespace talus {
 namespace {
 
 // Measured on the pile of a cast blast, 2362 blocks: with 60 to 100 contacts at a time and six tries a third dearer.
-constexpr int tries = 3;                       // sets of states that pivots find
+constexpr int tries = 4;                       // sets of states that pivots find
 constexpr int least_many = 24, many_part = 70;  // contradicted at first: more than these, and one pressed contact in so many, are too many
 constexpr int growth = 3;                      // times as many, with those that join them
 constexpr int most_corrections = 4;                   // Newton's steps where states are right: each takes a hundredth of the residual

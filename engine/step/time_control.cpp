@@ -23,7 +23,7 @@ constexpr double fall = 0.6;  // there, and where a step takes more than twice w
 // Effort of a step, in factors, from which on it grows no longer: of all; where what presses turns by so much in it that corners come and go, for then a step
 // costs by its length (theory, § 10); and among cracks, where two short steps are cheaper than one that states have to be looked for in. All shrink from twice
 // the first or the last on.
-constexpr double most_effort = 12, most_effort_turning = 7, most_effort_among_cracks = 8;
+constexpr double most_effort = 12, most_effort_turning = 4.5, most_effort_among_cracks = 8;
 constexpr double turning = 1e-3;  // rad
 
 // First step: what gravity and the initial velocities move by the limit.

@@ -228,6 +228,35 @@ TEST(LinearSolver, SolvesCoarselyAfterTheFirst) {
     }
 }
 
+// By the part of the factor that leads from a few unknowns to the root: the same to the bit, whatever was solved before.
+TEST(LinearSolver, SolvesCoarselyForAFewUnknowns) {
+  for (int blocks : {1, 7, 60, 300}) {
+    RandomSystem s(blocks, 3);
+    const int size = int(s.dense.rows());
+    if (size == 0) continue;
+    LinearSolver solver;
+    solver.analyse(s.matrix);
+    ASSERT_EQ(solver.factor(s.matrix), -1);
+    Vector whole, part;
+    solver.solve_coarsely(s.vector(), whole);
+    for (int step : {1, 5, 50, 1000}) {
+      std::vector<int> unknowns;
+      Vector b = Vector::Zero(size);
+      const Vector values = s.vector();
+      for (int k = size / 3; k < size; k += step) {
+        unknowns.push_back(k);
+        b[k] = values[k];
+      }
+      solver.solve_coarsely(s.vector(), whole);
+      solver.solve_coarsely(b, whole);
+      solver.solve_coarsely(b, part, solver.part(unknowns));
+      for (const int k : unknowns) EXPECT_EQ(part[k], whole[k]) << "unknown " << k << " of " << size;
+      solver.solve_coarsely(Vector::Zero(size), part, solver.part(unknowns));
+      for (const int k : unknowns) EXPECT_EQ(part[k], 0);
+    }
+  }
+}
+
 // Where single precision has no digit left, and where its range ends, all solves are exact.
 TEST(LinearSolver, SolvesNotCoarselyWhatThatSpoils) {
   RandomSystem random(2, 1);
