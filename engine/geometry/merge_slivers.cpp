@@ -166,8 +166,7 @@ SliverCount count_slivers(const Tessellation& t, const LengthAt& least) {
   SliverCount count;
   double thinnest = 1;
   for (const std::vector<int>& cell : t.cells) {
-    Polyline outline;
-    for (int p : cell) outline.push_back(t.points[p]);
+    const Polyline outline = t.outline(cell);
     const Vec2 centroid = integrate(outline).centroid;
     const double thick = thickness(outline), ratio = thick / least(centroid);
     if (ratio >= 1) continue;

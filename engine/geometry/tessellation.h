@@ -19,6 +19,12 @@ struct Tessellation {
   std::vector<Vec2> points;
   std::vector<std::vector<int>> cells;  // counter-clockwise, simple, no repeated point
   std::vector<Interface> interfaces;    // ordered by (a, b, p)
+
+  Polyline outline(const std::vector<int>& cell) const {
+    Polyline corners;
+    for (const int p : cell) corners.push_back(points[size_t(p)]);
+    return corners;
+  }
 };
 
 struct TessellationInput {

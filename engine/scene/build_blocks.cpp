@@ -246,11 +246,7 @@ bool loose(const Tessellation& t, const Cuts& cuts) {
 // Which cells become blocks of second order; empty if none.
 std::vector<char> second_order(const Region& region, const Tessellation& t) {
   std::vector<char> bends;
-  for (const std::vector<int>& cell : t.cells) {
-    Polyline outline;
-    for (const int p : cell) outline.push_back(t.points[size_t(p)]);
-    bends.push_back(unknowns(region, integrate(outline)) == second_order_dofs);
-  }
+  for (const std::vector<int>& cell : t.cells) bends.push_back(unknowns(region, integrate(t.outline(cell))) == second_order_dofs);
   if (std::ranges::none_of(bends, [](char bend) { return bend; })) bends.clear();
   return bends;
 }
@@ -260,11 +256,7 @@ void add_tessellation(Model& model, int region_id, Tessellation t, const Cuts& c
   const std::vector<char> bends = loose(t, cuts) ? second_order(region, t) : std::vector<char>{};
   if (!bends.empty()) divide_edges(t, bends);
   const int first = int(model.shapes.size());
-  for (const std::vector<int>& cell : t.cells) {
-    Polyline outline;
-    for (int p : cell) outline.push_back(t.points[p]);
-    add_block(model, region_id, outline, bends.empty() ? Edges::straight : Edges::curved);
-  }
+  for (const std::vector<int>& cell : t.cells) add_block(model, region_id, t.outline(cell), bends.empty() ? Edges::straight : Edges::curved);
   const std::vector<int> node = add_nodes(model, region_id, t, first);
   const int own = region.joint >= 0 ? region.joint : model.scene.contact;
   for (const Tessellation::Interface& face : t.interfaces) {

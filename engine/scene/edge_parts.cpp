@@ -22,8 +22,7 @@ class EdgeParts {
   EdgeParts(Tessellation& t, const std::vector<char>& bends) : points_(t.points) {
     for (size_t c = 0; c < t.cells.size(); ++c) {
       const std::vector<int>& cell = t.cells[c];
-      Polyline outline;
-      for (const int p : cell) outline.push_back(t.points[size_t(p)]);
+      const Polyline outline = t.outline(cell);
       const double area = signed_area(outline);
       for (size_t i = 0; i < cell.size(); ++i) {
         int& count = parts_[std::minmax(cell[i], cell[(i + 1) % cell.size()])].count;
