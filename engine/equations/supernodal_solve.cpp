@@ -154,12 +154,12 @@ TALUS_WITHIN void substitute_in(const SupernodalFactor& whole, std::span<const i
   for (size_t k = others; k-- > 0;) Place<Scalar, false>(whole, size_t(supernodes[k]), values, inverse, y, part).backward(y);
 }
 
-TALUS_WIDE void substitute_by(const SupernodalFactor& whole, std::span<const int> supernodes, const float* values, const float* inverse, float* y,
-                              float* part) {
+TALUS_WIDE void substitute(const SupernodalFactor& whole, std::span<const int> supernodes, const float* values, const float* inverse, float* y,
+                           float* part) {
   substitute_in(whole, supernodes, values, inverse, y, part);
 }
-TALUS_WIDE void substitute_by(const SupernodalFactor& whole, std::span<const int> supernodes, const double* values, const double* inverse, double* y,
-                              double* part) {
+TALUS_WIDE void substitute(const SupernodalFactor& whole, std::span<const int> supernodes, const double* values, const double* inverse, double* y,
+                           double* part) {
   substitute_in(whole, supernodes, values, inverse, y, part);
 }
 
@@ -186,8 +186,9 @@ template <class Scalar>
 bool SupernodalSolve<Scalar>::take(const SupernodalFactor& factor) {
   constexpr double least = 1e-15, largest = 1e15;  // their products with unknowns near one stay in the range of single precision
   whole_ = factor;
-  all_.resize(factor.first.size() - 1);
-  std::iota(all_.begin(), all_.end(), 0);
+  all_.supernodes.resize(factor.first.size() - 1);
+  all_.unknowns.resize(factor.order.size());
+  for (auto* list : {&all_.supernodes, &all_.unknowns}) std::iota(list->begin(), list->end(), 0);
   inverse_.resize(factor.order.size());
   y_.resize(factor.order.size() + wide);
   part_.resize(factor.order.size() + wide);
@@ -210,36 +211,16 @@ bool SupernodalSolve<Scalar>::take(const SupernodalFactor& factor) {
 }
 
 template <class Scalar>
-void SupernodalSolve<Scalar>::solve(const Vector& b, Vector& x) {
-  const auto& order = whole_.order;
-  x.resize(b.size());
-  const double scale = copies ? b.lpNorm<Eigen::Infinity>() : 1;
-  if (scale == 0) {
-    x.setZero();
-    return;
-  }
-  for (size_t k = 0; k < order.size(); ++k) y_[k] = Scalar(b[order[k]] / scale);
-  substitute(all_);
-  for (size_t k = 0; k < order.size(); ++k) x[order[k]] = scale * double(y_[k]);
-}
-
-template <class Scalar>
 void SupernodalSolve<Scalar>::solve(const Vector& b, Vector& x, const FactorPart& part) {
   const auto& order = whole_.order;
   x.resize(b.size());
   double scale = 0;
-  for (const int k : part.unknowns) scale = std::max(scale, std::abs(b[order[size_t(k)]]));
-  for (const int k : part.unknowns) y_[size_t(k)] = scale > 0 ? Scalar(b[order[size_t(k)]] / scale) : 0;
-  if (scale > 0) substitute(part.supernodes);
+  if (copies)
+    for (const int k : part.unknowns) scale = std::max(scale, std::abs(b[order[size_t(k)]]));
+  if (scale == 0) scale = 1;
+  for (const int k : part.unknowns) y_[size_t(k)] = Scalar(b[order[size_t(k)]] / scale);
+  if (!part.supernodes.empty()) substitute(whole_, part.supernodes, values(), inverse_.data(), y_.data(), part_.data());
   for (const int k : part.unknowns) x[order[size_t(k)]] = scale * double(y_[size_t(k)]);
-}
-
-template <class Scalar>
-void SupernodalSolve<Scalar>::substitute(std::span<const int> supernodes) {
-  if constexpr (copies)
-    substitute_by(whole_, supernodes, values_.data(), inverse_.data(), y_.data(), part_.data());
-  else
-    substitute_by(whole_, supernodes, whole_.values.data(), inverse_.data(), y_.data(), part_.data());
 }
 
 template class SupernodalSolve<float>;

@@ -30,19 +30,24 @@ class SupernodalSolve {
   // Whether it can be had: its values are in the range of Scalar. The arrays have to last, values where they are not copied.
   bool take(const SupernodalFactor& factor);
   // x = K⁻¹ b.
-  void solve(const Vector& b, Vector& x);
+  void solve(const Vector& b, Vector& x) { solve(b, x, all_); }
   // The same at the unknowns of `part`, beyond which b is nought; of x it sets only these.
   void solve(const Vector& b, Vector& x, const FactorPart& part);
 
  private:
-  void substitute(std::span<const int> supernodes);
   static constexpr bool copies = !std::is_same_v<Scalar, double>;
+  const Scalar* values() const {
+    if constexpr (copies)
+      return values_.data();
+    else
+      return whole_.values.data();
+  }
 
   SupernodalFactor whole_;
   std::vector<Scalar> values_;   // of L where it is a copy
   std::vector<Scalar> inverse_;  // of L's diagonal
   std::vector<Scalar> y_, part_;
-  std::vector<int> all_;  // supernodes
+  FactorPart all_;
 };
 
 extern template class SupernodalSolve<float>;

@@ -18,8 +18,8 @@ constexpr int least_worth = 10, most_worth = 200;
 // to carry from one end to the other. Half or twice as many cost a pile as much. In a plate that a blast cracks 20 are enough.
 constexpr double pairs_before = 2.5, pairs_between = 2.5;
 constexpr int pairs_before_bonded = 50, pairs_between_bonded = 20, least_pairs = 20;
-// Rounds that neither halve what sweeps change nor leave so few of the states that Newton's step before contradicted, before the splitting. With 0
-// piles of 1500 blocks are cut more and take a third more; by what sweeps change alone the crater's pile is split twice as often.
+// Rounds in which neither what sweeps change halves nor the states that Newton's step contradicts fall to `fewer` of those of the round before, before
+// the splitting. With 0 piles of 1500 blocks are cut more and take a third more; by what sweeps change alone the crater's pile is split twice as often.
 constexpr int most_in_vain = 1;
 constexpr double fewer = 0.7;
 // Rounds at most: with 3 to 8 the crater comes apart in half the time, and with 3 and 5 its pile takes a tenth less than without a bound.
