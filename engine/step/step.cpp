@@ -10,6 +10,7 @@
 #include "model/rates.h"
 #include "step/attempt.h"
 #include "step/damping.h"
+#include "step/energies.h"
 #include "step/overlooked.h"
 #include "step/part_timer.h"
 #include "step/restitution.h"
@@ -23,6 +24,8 @@ namespace {
 
 constexpr double most_gain = 1e-6;  // in a step, of what moves and is stored
 constexpr double most_turning = 1e-3;  // in a step, of the ledger's scale: what all steps leave unexplained is to be below a hundredth
+constexpr double most_turning_near_rest = 3e-3;  // in an automatic step, of what moves and is stored: what turns loses more than it gains by it
+constexpr double no_turn = 1e-6;  // rad, half the square of which is as nothing beside what contacts of rock are pressed in by, 1e-9 of the lever and more
 constexpr double most_solve_effort = 24;  // factors, among cracks: three times what keeps a step from growing
 
 void stand(const BlockState& where, BlockState& state) {
@@ -262,18 +265,34 @@ bool Stepper::overlooks(double dt, double displacement, const Vector& d) {
   return overlooked(model_, parts_.search, parts_.contacts, d, moved_, dt, displacement);
 }
 
-// What the work of contacts is other than the step was solved with, as blocks turn in it, of what it may be.
+// What the work of contacts is other than the step was solved with, as blocks turn in it, of what it may be: of the ledger's scale, and where steps
+// may get long near rest, of what moves and is stored, for nothing else is left there to lose.
 double Stepper::turning_gain(const Scheme& scheme, const Course& course) {
   StepTimer timer(totals_, "update");
   if (all_still()) return 0;
-  const double work = work_of_turning(model_, parts_.contacts, scheme, course.d, moved_, step_size_.straight());
+  const double straight = step_size_.straight(), least = step_size_.heeds_turns() ? no_turn : straight;
+  const TurningWork work = work_of_turning(model_, parts_.contacts, scheme, course.d, moved_, least, straight);
+  if (work.all == 0) return 0;
+  double gain = 0;
+  if (step_size_.heeds_turns()) {
+    const double moves = std::max(kinetic_energy(model_, 0), kinetic_energy_moved());
+    if (work.all > StepSize::heeded_gain * most_turning_near_rest * moves)
+      gain = work.all / (most_turning_near_rest * std::max(moves, parts_.energies().stored()));
+  }
   double energy = ledger_.scale();
-  if (work <= StepSize::heeded_gain * most_turning * energy) return 0;
+  if (work.of_turns <= StepSize::heeded_gain * most_turning * energy) return gain;
   energy = std::max(energy, parts_.energies().stored());
   double fall = 0;  // J/m, what gravity puts in: in the first step there is nothing before it
   for (const int b : model_.awake_blocks())
     if (model_.shapes[b].dofs > 0) fall += model_.mass(b) * model_.scene.gravity.dot(moved_[b].shift - model_.blocks[b].shift);
-  return work / (most_turning * std::max(energy, std::abs(fall)));
+  return std::max(gain, work.of_turns / (most_turning * std::max(energy, std::abs(fall))));
+}
+
+double Stepper::kinetic_energy_moved() {
+  model_.blocks.swap(moved_);
+  const double energy = kinetic_energy(model_, 0);
+  model_.blocks.swap(moved_);
+  return energy;
 }
 
 // Finds moved_ and its vertices in one pass over what is awake: of many blocks the states are more than caches hold. What sleeps is in it as it is.

@@ -65,6 +65,7 @@ class Stepper {
   void lead(const Scheme& scheme, Course& course);
   bool overlooks(double dt, double displacement, const Vector& d);
   double turning_gain(const Scheme& scheme, const Course& course);
+  double kinetic_energy_moved();  // J/m, of where the step leads
   void widen();
   void count(const IslandResult& result);
   // step/step_bonds.cpp

@@ -21,16 +21,17 @@ double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>
   return largest;
 }
 
-double work_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
-                       const std::vector<BlockState>& moved, double straight) {
+TurningWork work_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
+                            const std::vector<BlockState>& moved, double least, double straight) {
   const auto gap = [](const Vec2& at, const Vec2& from, const Vec2& to) { return cross(at - from, (to - from).normalized()); };
   const auto after = [&](int block, int vertex) {
     const BlockState& state = moved[size_t(block)];
     return model.vertex_at(block, state, Rotation::of(state.angle), vertex);
   };
-  double sum = 0;
+  TurningWork sum;
   for (const ContactRows& row : contacts.rows()) {
-    if (std::max(turn(model, moved, row.i), turn(model, moved, row.j)) <= straight) continue;
+    const double turned = std::max(turn(model, moved, row.i), turn(model, moved, row.j));
+    if (turned <= least) continue;
     const double pressed = -(row.gap0 + contacts.factor() * row.along(row.normal_i, row.normal_j, d));
     if (pressed <= 0) continue;
     const Contact& c = model.contacts[size_t(row.contact)];
@@ -42,7 +43,9 @@ double work_of_turning(const Model& model, const ContactTerms& contacts, const S
     };
     const double straight_on = scheme.step_v * (velocity(c.i, row.normal_i) + velocity(c.j, row.normal_j)) +
                                scheme.move_d * row.along(row.normal_i, row.normal_j, d);
-    sum += row.kn * pressed * std::abs(change - straight_on);
+    const double work = row.kn * pressed * std::abs(change - straight_on);
+    sum.all += work;
+    if (turned > straight) sum.of_turns += work;
   }
   return sum;
 }

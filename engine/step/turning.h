@@ -12,8 +12,12 @@ double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>
 
 // J/m, by which the work of the normal forces that solve the step along the gaps as they come to be differs from that along the
 // straight lines it was solved with: energy that appears or is lost as blocks turn, Σ N |Δg - n·Δu|, of second order in the angle.
-// `d` solves the step and leads to `moved`. Where neither block turns by more than `straight` (rad), nothing.
-double work_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
-                       const std::vector<BlockState>& moved, double straight);
+struct TurningWork {
+  double all = 0;       // of contacts one of whose blocks turns by more than `least` (rad)
+  double of_turns = 0;  // by more than `straight`, which is no less
+};
+// `d` solves the step and leads to `moved`.
+TurningWork work_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
+                            const std::vector<BlockState>& moved, double least, double straight);
 
 }  // namespace talus
