@@ -120,14 +120,13 @@ void ContactSearch::find_surface(const Model& model) {
   surface_.bonded.clear();
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
-    const int face_a = model.shapes[joint.a].vertex_begin + joint.edge_a;
-    const int face_b = model.shapes[joint.b].vertex_begin + joint.edge_b;
-    if (joint.state != JointState::intact) {
-      surface_.joint[face_a] = surface_.joint[face_b] = int(j);
-      continue;
-    }
-    surface_.free_edge[face_a] = surface_.free_edge[face_b] = 0;
-    surface_.bonded.insert(pair_key(joint.a, joint.b));
+    const bool intact_one = joint.state == JointState::intact;
+    for (const int face : {model.shapes[joint.a].vertex_begin + joint.edge_a, model.shapes[joint.b].vertex_begin + joint.edge_b})
+      for (int side = 0; side < joint.sides; ++side) {
+        if (intact_one) surface_.free_edge[size_t(face + side)] = 0;
+        else surface_.joint[size_t(face + side)] = int(j);
+      }
+    if (intact_one) surface_.bonded.insert(pair_key(joint.a, joint.b));
   }
   bond_corners(model, surface_.bonded);
   find_outlines(model);
@@ -154,8 +153,11 @@ void ContactSearch::find_outlines(const Model& model) {
   std::unordered_map<int, OutlineEdge> beyond;  // by global edge
   for (const Joint& joint : model.joints) {
     if (joint.state != JointState::intact) continue;
-    beyond[model.shapes[joint.a].vertex_begin + joint.edge_a] = {joint.b, joint.edge_b};
-    beyond[model.shapes[joint.b].vertex_begin + joint.edge_b] = {joint.a, joint.edge_a};
+    for (int side = 0; side < joint.sides; ++side) {
+      const OutlineEdge of_a{joint.a, joint.edge_a + side}, of_b{joint.b, joint.facing(side)};
+      beyond[model.shapes[joint.a].vertex_begin + of_a.edge] = of_b;
+      beyond[model.shapes[joint.b].vertex_begin + of_b.edge] = of_a;
+    }
   }
   surface_.leaving.resize(model.reference_vertex.size());
   surface_.arriving.resize(model.reference_vertex.size());
@@ -246,7 +248,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
   drop_points(model, meeting, surface_.bonded, now);
   sort_large(now, [](const Contact& c) { return c.key(); });
   drop_hidden(model, surface_, faces_, now);
-  ended_ = carry_over(model, surface_, dt, cracked, now);
+  ended_ = carry_over(model, dt, cracked, now);
   model.contacts.resize(size_t(model.sleeping_contacts));
   model.contacts.insert(model.contacts.end(), now.begin(), now.end());
   if (dt > 0 && dt < shorter * last_dt_) forgive_depth(model, dt);

@@ -111,12 +111,19 @@ double born_with(const Model& model, const Contact& c, double dt, bool cracked) 
   return std::max({0.0, -c.gap, depth_ahead(model, c, dt)});
 }
 
+// m, that an even pressure on its face has it bear: as its spring, which along an edge that bends is by Simpson's rule (theory, § 1).
+double share(const Model& model, const Contact& c) {
+  const JointProperty& property = model.scene.properties[size_t(c.property)];
+  if (property.stiffness_kind == StiffnessKind::per_contact) return c.length;
+  return std::min(c.normal_stiffness / model.stiffness_per_area(property, c.i, c.j), 4.0 / 3 * c.length);
+}
+
 // A bond that has just failed leaves to the faces what they can carry of its traction. Else they would first have to move into each other, and what the rock was pressed together with would shake it.
 void take_over(const Model& model, Contact& c) {
   const BondTraction bond = mean_traction(model.joints[c.joint]), t = taken_over(bond, model.contact_strength(c));
   if (t.normal >= 0) return;
-  c.normal_force = c.load_normal = -t.normal * c.length;
-  c.shear_force = c.load_shear = t.shear * c.length;
+  c.normal_force = c.load_normal = -t.normal * share(model, c);
+  c.shear_force = c.load_shear = t.shear * share(model, c);
   c.stretch = c.shear_force / c.shear_stiffness;
   c.offset = -c.gap - c.normal_force / c.normal_stiffness;
   c.state = t.shear == bond.shear ? ContactState::stick : ContactState::slip;
@@ -125,17 +132,14 @@ void take_over(const Model& model, Contact& c) {
 // A corner that slides from the face of one block on to that of the next, which stands out a little farther, is not pressed by that step, which
 // it could not have climbed: its height is the contact's offset, until it has climbed or a step leads down again. Where the faces meet in an edge there is none,
 // and the way along them bends. Returns how much farther, m.
-double step_over(const Model& model, const Surface& surface, const Contact& old, Contact& c) {
+double step_over(const Model& model, const Contact& old, Contact& c) {
   const auto corner = [&](const Contact& of, int k) { return model.vertex[size_t(model.shapes[size_t(of.j)].vertex_begin + k)]; };
   const Vec2 from = corner(old, old.edge), to = corner(old, model.next_vertex(old.j, old.edge));
   const std::array ends{corner(c, c.edge), corner(c, model.next_vertex(c.j, c.edge))};
   const bool first = distance_to_segment(from, to, ends[0]) < distance_to_segment(from, to, ends[1]);
   const double up = -perp(to - from).normalized().dot(ends[first ? 0 : 1] - from);
   const double size = std::min(model.shapes[size_t(c.i)].length, model.shapes[size_t(c.j)].length);
-  // Of bonded blocks of second order the sides lie in the mean where their bent edges are, which meet: no step of theirs is one.
-  const auto laid = [&](int block) { return model.shapes[size_t(block)].second_order() && !model.curved(block); };
-  const bool none = (laid(old.j) || laid(c.j)) && surface.together(old.j, c.j);
-  if (up > 0 && (none || up <= passing_tolerance * size)) c.offset += up;
+  if (up > 0 && up <= passing_tolerance * size) c.offset += up;
   if (up < 0) c.offset = std::max(std::min(0.0, c.offset), c.offset + up);
   return std::max(0.0, up);
 }
@@ -144,7 +148,7 @@ double step_over(const Model& model, const Surface& surface, const Contact& old,
 
 double gap_now(const Model& model, const Contact& c) { return foot_of(model, c).gap; }
 
-double carry_over(const Model& model, const Surface& surface, double dt, bool cracked, std::vector<Contact>& now) {
+double carry_over(const Model& model, double dt, bool cracked, std::vector<Contact>& now) {
   std::vector<Contact*> fresh;
   std::vector<const Contact*> ended;
   const std::span<const Contact> before = model.awake_contacts();
@@ -184,7 +188,7 @@ double carry_over(const Model& model, const Surface& surface, double dt, bool cr
       const double deeper = gap_now(model, *old) - c->gap, pressed = c->offset;
       if (old->i == c->j) c->offset += std::max(0.0, deeper);
       if (old->global_vertex == c->global_vertex) {
-        const double up = old->j != c->j ? step_over(model, surface, *old, *c) : 0;
+        const double up = old->j != c->j ? step_over(model, *old, *c) : 0;
         if (dt > 0) c->offset += std::max(0.0, deeper - up);  // by which the face bends up: in motion its height is no load either
       }
       c->height = std::clamp(c->height + c->offset - pressed, 0.0, std::max(0.0, c->offset));

@@ -90,7 +90,7 @@ class NearPair {
     c.gap = model_.curved(block_e) ? model_.curved_edge(block_e, e).foot(vertex(block_v, v)).gap : gap;
     const double shared = corner ? 0 : shared_length(block_v, v, block_e, e);
     c.kind = corner ? ContactKind::angle_angle : shared > 0 ? ContactKind::edge_edge : ContactKind::angle_edge;
-    c.joint = corner ? -1 : joint_between(block_v, v, c.global_edge);
+    c.joint = corner ? -1 : joint_between(block_v, v, block_e, e);
     c.property = property_of(c);
     c.length = shared / 2;  // an edge–edge contact has two such pairs
     const JointProperty& property = model_.scene.properties[c.property];
@@ -264,13 +264,14 @@ class NearPair {
     const bool traced = face >= 0 && model_.joints[face].trace >= 0 && model_.shapes[c.i].region == model_.shapes[c.j].region;
     return traced ? model_.joints[face].property : model_.contact_property(c.i, c.j);
   }
-  // The open joint one face of which is the edge at `face` and the other ends in corner `v` of `block`, or -1.
-  int joint_between(int block, int v, int face) const {
-    const int j = surface_.joint[face];
+  // The open joint one of whose sides is edge `e` of `of`, with one across it that ends in corner `v` of `block`; or -1.
+  int joint_between(int block, int v, int of, int e) const {
+    const int j = surface_.joint[size_t(global(of, e))];
     if (j < 0) return -1;
-    const Joint& joint = model_.joints[j];
-    const int own = joint.a == block ? joint.edge_a : joint.b == block ? joint.edge_b : -1;
-    return own >= 0 && (own == v || next(block, own) == v) ? j : -1;
+    const Joint& joint = model_.joints[size_t(j)];
+    if (joint.a != block && joint.b != block) return -1;
+    const int across = joint.b == block ? joint.facing(e - joint.edge_a) : joint.edge_a + joint.sides - 1 - (e - joint.edge_b);
+    return across == v || next(block, across) == v ? j : -1;
   }
   static bool lies_along(const Vec2& d, const Vec2& n) { return std::abs(d.dot(n)) <= parallel_sine; }  // unit vectors
 

@@ -20,8 +20,7 @@ constexpr double climbed_within = 0.1, steepest_climb = 1e-3, of_friction = 0.5,
 template <int n>
 ColumnOf<n> vertex_row(const Model& model, const Poses& poses, int block, int local, const Vec2& direction) {
   const int v = model.shapes[block].vertex_begin + local;
-  const Vec3 m = model.shapes[block].second_order() ? model.corner_bend[v] : Vec3(0, 0, 0);
-  return poses.blocks[block].rows<n>(model.reference_vertex[v], poses.vertex[v], m).transpose() * direction;
+  return poses.blocks[block].rows<n>(model.reference_vertex[v], poses.vertex[v]).transpose() * direction;
 }
 
 CurvedEdge curved_edge(const Model& model, const Poses& poses, int block, int edge) {

@@ -53,9 +53,7 @@ void Poses::place_vertices(const Model& model) {
       if (placed_[b]) continue;
       placed_[b] = 1;
       const BlockShape& shape = model.shapes[b];
-      for (int i = shape.vertex_begin; i < shape.vertex_end; ++i)
-        vertex[i] = shape.second_order() ? blocks[b].polygon_vertex(model.reference_vertex[i], model.corner_bend[i])
-                                         : blocks[b].place<first_order_dofs>(model.reference_vertex[i]);
+      for (int i = shape.vertex_begin; i < shape.vertex_end; ++i) vertex[i] = blocks[b].place(model.reference_vertex[i]);
     }
 }
 

@@ -37,10 +37,6 @@ struct Pose {
     else
       return bend ? Vec2(straight + bent(in_block, bend->now)) : straight;
   }
-  // Of the polygon that contacts see, of second order (model/corner_bend.h).
-  Vec2 polygon_vertex(const Vec2& in_block, const Vec3& m) const {
-    return place<first_order_dofs>(in_block) + rotation.turn(Bend::sum(m, bend->now));
-  }
   // place - reference place, from displacements alone: (R - I) X + R (e X + q) + shift.
   template <int n = max_dofs>
   Vec2 displacement(const Vec2& in_block) const {
@@ -88,11 +84,6 @@ struct Pose {
   // undeformed arm strain and bend work, but turn about the centroid what is at `at`.
   template <int n>
   RowsOf<n> rows(const Vec2& in_block, const Vec2& at) const {
-    return rows<n>(in_block, at, bend && n > first_order_dofs ? bend->shape.monomials(in_block) : Vec3(0, 0, 0));
-  }
-  // The same of a vertex of the polygon that contacts see, whose bend has other monomials m (model/corner_bend.h).
-  template <int n>
-  RowsOf<n> rows(const Vec2& in_block, const Vec2& at, const Vec3& m) const {
     if constexpr (n == first_order_dofs) {
       return rows(at);
     } else {
@@ -107,6 +98,7 @@ struct Pose {
       t.col(3) = x.x() * across;
       t.col(4) = x.y() * up;
       t.col(5) = (x.y() * across + x.x() * up) / 2;
+      const Vec3 m = bend->shape.monomials(in_block);
       for (int k = 0; k < 3; ++k) {
         t.col(first_order_dofs + k) = m[k] * across;
         t.col(first_order_dofs + 3 + k) = m[k] * up;

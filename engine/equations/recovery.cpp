@@ -137,10 +137,14 @@ void Recovery::connect_middles(const Model& model) {
   middle_of_edge_.assign(model.reference_vertex.size(), -1);
   for (int b = 0; b < int(model.shapes.size()); ++b) {
     const BlockShape& shape = model.shapes[b];
-    for (int v = shape.vertex_begin; shape.second_order() && v < shape.vertex_end; ++v) {
-      const Vec2 next = model.reference_vertex[shape.vertex_begin + model.next_vertex(b, v - shape.vertex_begin)];
-      middle_of_edge_[v] = int(corner_position_.size());
-      corner_position_.push_back(shape.reference_centroid + (model.reference_vertex[v] + next) / 2);
+    const auto at_node = [&](int local) { return corner_of_vertex_[size_t(shape.vertex_begin + local)] >= 0; };
+    for (int k = 0; shape.second_order() && k < model.vertex_count(b); ++k) {
+      if (!at_node(k)) continue;
+      int end = model.next_vertex(b, k);
+      while (!at_node(end)) end = model.next_vertex(b, end);
+      const int v = shape.vertex_begin + k;
+      middle_of_edge_[size_t(v)] = int(corner_position_.size());
+      corner_position_.push_back(shape.reference_centroid + (model.reference_vertex[size_t(v)] + model.reference_vertex[size_t(shape.vertex_begin + end)]) / 2);
     }
   }
   for (const Joint& joint : model.joints) {
@@ -164,7 +168,7 @@ void Recovery::update(const Model& model) {
     for (int v = model.shapes[b].vertex_begin; v < model.shapes[b].vertex_end; ++v) {
       const int corner = corner_of_vertex_[size_t(v)];
       if (corner < 0) continue;
-      corner_displacement_[corner] += model.corner(b, v) - corner_position_[corner];
+      corner_displacement_[corner] += model.vertex[size_t(v)] - corner_position_[corner];
       ++count[corner];
     }
   for (int b = 0; !middle_of_edge_.empty() && b < int(model.shapes.size()); ++b) {
@@ -172,6 +176,7 @@ void Recovery::update(const Model& model) {
     if (!shape.second_order()) continue;
     const Pose pose = flown(model, b, 0);
     for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) {
+      if (middle_of_edge_[v] < 0) continue;
       const Vec2 middle = corner_position_[middle_of_edge_[v]] - shape.reference_centroid;
       corner_displacement_[middle_of_edge_[v]] += pose.displacement(middle);
       ++count[middle_of_edge_[v]];
@@ -184,7 +189,7 @@ bool Recovery::take_middles(const BlockShape& shape, const Vec2& at, Patch& patc
   bool near = false;
   for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) {
     const int middle = middle_of_edge_[v];
-    if ((corner_position_[middle] - at).norm() > patch.radius) continue;
+    if (middle < 0 || (corner_position_[middle] - at).norm() > patch.radius) continue;
     near = true;
     if (std::find(patch.corners.begin(), patch.corners.end(), middle) == patch.corners.end()) patch.corners.push_back(middle);
   }

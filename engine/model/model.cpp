@@ -27,11 +27,11 @@ Vec2 undeformed(const BlockShape& shape, const BlockState& state, const Vec2& ar
   return x;
 }
 
-// Its rate but for the rotation, at the undeformed arm X of a second-order block, where the bend has the monomials m.
-Vec2 deforming(const BlockShape& shape, const BlockState& state, const Vec2& x, const Vec3& m) {
+// Its rate but for the rotation, at the undeformed arm X of a second-order block.
+Vec2 deforming(const BlockShape& shape, const BlockState& state, const Vec2& x) {
   const auto& v = state.velocity;
   return Vec2(v[3] * x.x() + v[5] / 2 * x.y(), v[5] / 2 * x.x() + v[4] * x.y()) / shape.length +
-         Bend::sum(m, &v[first_order_dofs]);
+         Bend::sum(shape.bend().monomials(x), &v[first_order_dofs]);
 }
 
 }  // namespace
@@ -62,17 +62,15 @@ Vec2 Model::velocity_at(int block, const Vec2& point) const {
 Vec2 Model::bent_velocity(int block, const Vec2& point) const {
   const BlockState& state = blocks[block];
   const Vec2 arm = undeformed(shapes[block], state, Rotation::of(state.angle).back(point - state.centroid));
-  return bent_velocity(block, arm, point, shapes[block].bend().monomials(arm));
+  return bent_velocity(block, arm, point);
 }
 
-Vec2 Model::bent_velocity(int block, const Vec2& in_block, const Vec2& point, const Vec3& m) const {
+Vec2 Model::bent_velocity(int block, const Vec2& in_block, const Vec2& point) const {
   const BlockShape& shape = shapes[block];
   const BlockState& state = blocks[block];
   return Vec2(state.velocity[0], state.velocity[1]) + state.velocity[2] / shape.length * perp(point - state.centroid) +
-         Rotation::of(state.angle).turn(deforming(shape, state, in_block, m));
+         Rotation::of(state.angle).turn(deforming(shape, state, in_block));
 }
-
-Vec2 Model::bent_corner_velocity(int block, int v) const { return bent_velocity(block, reference_vertex[v], vertex[v], corner_bend[v]); }
 
 Vec2 Model::rise(int block, int edge, const BlockState& state) const {
   const BlockShape& shape = shapes[block];
@@ -103,25 +101,22 @@ double Model::largest_rise(int block, const BlockState& state) const {
   return largest;
 }
 
-// Linear between the corners, as a point of a straight edge goes with them.
 Vec2 Model::velocity_on_bent_edge(int block, int edge, const Vec2& point) const {
   const int from = shapes[block].vertex_begin + edge, to = shapes[block].vertex_begin + next_vertex(block, edge);
-  if (curved(block)) {
-    const double at = CurvedEdge::within(curved_edge(block, edge).nearest(point));
-    const Vec2 in_block = (1 - at) * reference_vertex[from] + at * reference_vertex[to];
-    return bent_velocity(block, in_block, point, shapes[block].bend().monomials(in_block));
-  }
-  const Vec2 span = vertex[to] - vertex[from];
-  const double at = (point - vertex[from]).dot(span) / span.squaredNorm();
-  const Vec2 beside = point - vertex[from] - at * span;  // nought on the edge
-  return (1 - at) * bent_corner_velocity(block, from) + at * bent_corner_velocity(block, to) +
-         blocks[block].velocity[2] / shapes[block].length * perp(beside);
+  const double at = CurvedEdge::within(curved_edge(block, edge).nearest(point));
+  return bent_velocity(block, (1 - at) * reference_vertex[from] + at * reference_vertex[to], point);
 }
 
 double Model::area(int block) const {
   const BlockShape& shape = shapes[block];
-  if (shape.second_order())
-    return signed_area(Polyline(vertex.begin() + shape.vertex_begin, vertex.begin() + shape.vertex_end));
+  if (shape.second_order()) {
+    double area = signed_area(Polyline(vertex.begin() + shape.vertex_begin, vertex.begin() + shape.vertex_end));
+    for (int e = 0; e < vertex_count(block); ++e) {  // the segment of a parabola is 2/3 of chord times rise
+      const CurvedEdge edge = curved_edge(block, e);
+      area += 2.0 / 3 * cross(edge.rise, edge.span);
+    }
+    return area;
+  }
   const Vec3& e = blocks[block].strain;
   return shapes[block].area * ((1 + e[0]) * (1 + e[1]) - e[2] * e[2] / 4);
 }
@@ -180,8 +175,7 @@ void Model::place_vertices(int block, const BlockState& state, std::vector<Vec2>
 }
 
 Vec2 Model::vertex_at(int block, const BlockState& state, const Rotation& rotation, int v) const {
-  const Vec2 at = state.centroid + rotation.turn(stretched(state.strain, reference_vertex[v]));
-  return shapes[block].second_order() ? Vec2(at + rotation.turn(Bend::sum(corner_bend[v], *state.bend))) : at;
+  return state.centroid + rotation.turn(deformed(shapes[block], state, reference_vertex[v]));
 }
 
 void Model::changed() {

@@ -124,7 +124,6 @@ struct alignas(64) BlockShape {
 struct QuadraticShape {
   HighMoments moments;                                             // about the centroid, m5 and m6
   Vec3 stress_x = Vec3::Zero(), stress_y = Vec3::Zero();  // Pa/m, gradients of the initial stress
-  bool curved = false;  // contacts follow its edges as they bend, and its corners; or else the polygon of model/corner_bend.h
 };
 
 enum class JointState : std::uint8_t { intact, failed };
@@ -192,7 +191,8 @@ struct Joint {
   double length = 0;                   // m, reference
   Vec2 normal = Vec2::Zero();          // reference
   std::array<Vec2, 2> in_a, in_b;      // ends, from the blocks' reference centroids
-  int edge_a = 0, edge_b = 0;          // the blocks' own edges, by local number
+  int edge_a = 0, edge_b = 0, sides = 1;  // the blocks' own edges, by local number: so many from these on, of b those that face them from the last on
+  int facing(int side) const { return edge_b + sides - 1 - side; }  // edge of b that faces edge_a + side
   std::array<int, 2> node = {-1, -1};  // of its ends, into Model::nodes
   double weight_a = 0.5, weight_b = 0.5;  // shares of the two blocks in the flux {σ}n
   JointPoints points;
@@ -342,8 +342,7 @@ class Model {
   std::vector<QuadraticShape> quadratic_shapes;
   std::vector<BlockState> blocks;
   std::vector<Vec2> reference_vertex;  // from the reference centroid
-  std::vector<Vec2> vertex;            // now, of the polygon that contacts see
-  std::vector<Vec3> corner_bend;  // per vertex, of second-order blocks, what of the bend it goes with; empty where there are none
+  std::vector<Vec2> vertex;            // now
   std::vector<Joint> joints;
   std::vector<Contact> contacts;
   std::vector<PointFixity> point_fixities;
@@ -406,23 +405,19 @@ class Model {
   // Place of the material point `in_block` (from the reference centroid): c + R ((I + e) X + q(X)).
   Vec2 place(int block, const Vec2& in_block) const;
   Vec2 velocity_at(int block, const Vec2& point) const;
-  // Whether contacts follow the edges of a block as they bend.
-  bool curved(int block) const { return shapes[block].second_order() && quadratic_shapes[size_t(shapes[block].quadratic)].curved; }
+  // Whether the edges of a block bend.
+  bool curved(int block) const { return shapes[block].second_order(); }
   CurvedEdge curved_edge(int block, int edge) const;  // of a curved block, as it lies
   // Whether sides of a curved block, with its corners there, have bent inwards: what holds of convex blocks and parts does not of it.
   bool dented(int block, std::span<const Vec2> corners) const;
   double largest_rise(int block, const BlockState& state) const;  // m, of the middles of its edges; 0 where it is not curved
-  // Of a point of an edge, which stays straight between its corners where the block is not curved; of first order that is velocity_at.
   Vec2 velocity_on_edge(int block, int edge, const Vec2& point) const {
-    return shapes[block].second_order() ? velocity_on_bent_edge(block, edge, point) : velocity_at(block, point);
+    return curved(block) ? velocity_on_bent_edge(block, edge, point) : velocity_at(block, point);
   }
-  // Of a vertex of the polygon that contacts see.
   Vec2 corner_velocity(int block, int local) const {
     const int v = shapes[block].vertex_begin + local;
-    return shapes[block].second_order() ? bent_corner_velocity(block, v) : velocity_at(block, vertex[v]);
+    return curved(block) ? bent_velocity(block, reference_vertex[v], vertex[v]) : velocity_at(block, vertex[v]);
   }
-  // Where the block's own corner is, an index into `vertex`; of first order that is the vertex.
-  Vec2 corner(int block, int v) const { return shapes[block].second_order() ? place(block, reference_vertex[v]) : vertex[v]; }
   Vec2 reference_place(int block, const Vec2& in_block) const { return shapes[block].reference_centroid + in_block; }
   double area(int block) const;       // m2, now
   double mass(int block) const { return material(block).density * shapes[block].area; }
@@ -447,9 +442,7 @@ class Model {
   Vec2 rise(int block, int edge, const BlockState& state) const;
   Vec2 velocity_on_bent_edge(int block, int edge, const Vec2& point) const;
   Vec2 bent_velocity(int block, const Vec2& point) const;
-  // Of what goes with the material point `in_block`, and m of the bend, but turns with what is at `point`.
-  Vec2 bent_velocity(int block, const Vec2& in_block, const Vec2& point, const Vec3& m) const;
-  Vec2 bent_corner_velocity(int block, int v) const;
+  Vec2 bent_velocity(int block, const Vec2& in_block, const Vec2& point) const;  // of the material point `in_block`, which is at `point`
 };
 
 std::string block_name(const Model& model, int block);  // for messages: its number from 1, region and place

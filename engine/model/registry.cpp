@@ -71,7 +71,6 @@ void visit_state(Model& model, StateVisitor& v) {
   v.constant("shapes", model.shapes);
   v.constant("quadratic_shapes", model.quadratic_shapes);
   v.constant("reference_vertex", model.reference_vertex);
-  v.constant("corner_bend", model.corner_bend);
   v.constant("regions", model.scene.regions);
   v.constant("held_by", model.held_by);
   v.constant("point_fixities", model.point_fixities);
@@ -157,12 +156,11 @@ void visit_state(BlockShape& shape, StateVisitor& v) {
 }
 
 void visit_state(QuadraticShape& shape, StateVisitor& v) {
-  auto& [moments, stress_x, stress_y, curved] = shape;
+  auto& [moments, stress_x, stress_y] = shape;
   v("third", moments.third);
   v("fourth", moments.fourth);
   v("stress_x", stress_x);
   v("stress_y", stress_y);
-  v("curved", curved);
 }
 
 void visit_state(JointPoints& points, StateVisitor& v) {
@@ -192,8 +190,8 @@ void visit_state(Bridge& bridge, StateVisitor& v) {
 
 void visit_state(Joint& joint, StateVisitor& v) {
   auto& [a, b, property, trace, bonded, state, mode, crack, failed_at, failed_with, left_with, utilisation, scatter, remaining,
-         most_opening, most_slip, off_path, path_turn, bridged, kind, length, normal, in_a, in_b, edge_a, edge_b, node, weight_a, weight_b, points] = joint;
-  for (int* number : {&a, &b, &property, &trace, &edge_a, &edge_b, &node[0], &node[1]}) v.constant("joint", *number);
+         most_opening, most_slip, off_path, path_turn, bridged, kind, length, normal, in_a, in_b, edge_a, edge_b, sides, node, weight_a, weight_b, points] = joint;
+  for (int* number : {&a, &b, &property, &trace, &edge_a, &edge_b, &sides, &node[0], &node[1]}) v.constant("joint", *number);
   v.constant("bonded", bonded);
   v.constant("scatter", scatter);
   v.constant("kind", kind);

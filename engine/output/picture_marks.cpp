@@ -120,7 +120,7 @@ Placement::Placement(const Model& model, double magnification) : model_(model), 
   for (std::size_t b = 0; b < model.shapes.size(); ++b)
     for (int v = model.shapes[b].vertex_begin; v < model.shapes[b].vertex_end; ++v) {
       const Vec2 start = model.shapes[b].reference_centroid + model.reference_vertex[v];
-      vertices_[v] = start + magnification * (model.corner(int(b), v) - start) + model.origin;
+      vertices_[v] = start + magnification * (model.vertex[v] - start) + model.origin;
     }
 }
 

@@ -13,10 +13,10 @@ namespace talus {
 namespace {
 
 constexpr std::string_view magic = "talus saved state\n";
-constexpr std::uint64_t format = 20;  // 2: the generator of random numbers too; 3: checksum by eights; 4: charges of the scene; 5: where blocks are weighed;
+constexpr std::uint64_t format = 21;  // 2: the generator of random numbers too; 3: checksum by eights; 4: charges of the scene; 5: where blocks are weighed;
                                       // 6: gas fronts by their holes; 8: what was unexplained before the script changed something; 9: bonds judged where an attempt led; 10: steps in
                                       // motion and load steps apart; 11: how held blocks get faster; 12: the largest strain; 13: loads within a jump;
-                                      // 14: what contacts climb; 15: what they were pressed by as a load step began; 16: what a script has changed since; 17: what contacts slid by in the last step; 18: no block is weighed apart; 19: what smooth contacts climbed in a load step; 20: second-order blocks whose edges bend
+                                      // 14: what contacts climb; 15: what they were pressed by as a load step began; 16: what a script has changed since; 17: what contacts slid by in the last step; 18: no block is weighed apart; 19: what smooth contacts climbed in a load step; 20: second-order blocks whose edges bend; 21: joints on several sides
 
 // FNV-1a by eight bytes at a time, an eighth of the time: each step is a bijection, so that no single change goes unseen.
 std::uint64_t checksum(std::string_view bytes) {

@@ -97,7 +97,7 @@ void add_polygons(vtkPolyData* data, const Model& model) {
     const BlockShape& shape = model.shapes[b];
     polygons->InsertNextCell(shape.vertex_end - shape.vertex_begin);
     for (int v = shape.vertex_begin; v < shape.vertex_end; ++v) {
-      const Vec2 p = model.corner(b, v) + model.origin;
+      const Vec2 p = model.vertex[size_t(v)] + model.origin;
       points->SetPoint(v, p.x(), p.y(), 0);
       polygons->InsertCellPoint(v);
     }
@@ -112,7 +112,7 @@ void add_point_displacement(vtkPolyData* data, const Model& model) {
   for (int b = 0; b < int(model.shapes.size()); ++b) {
     const BlockShape& shape = model.shapes[b];
     for (int v = shape.vertex_begin; v < shape.vertex_end; ++v)
-      moved[v] = model.corner(b, v) - shape.reference_centroid - model.reference_vertex[v];
+      moved[v] = model.vertex[size_t(v)] - shape.reference_centroid - model.reference_vertex[v];
   }
   add_array<vtkDoubleArray>(data->GetPointData(), "displacement", 2, static_cast<vtkIdType>(moved.size()),
                             [&](int v, double* out) { std::copy_n(moved[v].data(), 2, out); });

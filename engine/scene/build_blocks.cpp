@@ -8,7 +8,6 @@
 
 #include "geometry/joint_set.h"
 #include "geometry/polygon.h"
-#include "model/corner_bend.h"
 #include "model/gauss.h"
 #include "scene/build_parts.h"
 #include "scene/edge_parts.h"
@@ -114,17 +113,7 @@ int unknowns(const Region& region, const PolygonIntegrals& integrals) {
   return region.held ? 0 : unknowns(region.order_at ? region.order_at(integrals.centroid) : region.order);
 }
 
-// Of second-order blocks, as contacts see them: Model::curved.
-enum class Edges { straight, curved };
-
-std::vector<Vec3> bend_of_corners(const std::vector<Vec2>& corners, const Bend& bend, Edges edges) {
-  if (edges == Edges::straight) return corner_bend(corners, bend);
-  std::vector<Vec3> result;
-  for (const Vec2& corner : corners) result.push_back(bend.monomials(corner));
-  return result;
-}
-
-int add_block(Model& model, int region_id, const Polyline& outline, Edges edges) {
+int add_block(Model& model, int region_id, const Polyline& outline) {
   const Region& region = model.scene.regions[region_id];
   const PolygonIntegrals integrals = integrate(outline);
   BlockShape shape;
@@ -151,16 +140,11 @@ int add_block(Model& model, int region_id, const Polyline& outline, Edges edges)
   if (shape.second_order()) {
     shape.quadratic = int(model.quadratic_shapes.size());
     QuadraticShape& quadratic = model.quadratic_shapes.emplace_back();
-    quadratic.curved = edges == Edges::curved;
     quadratic.moments = integrate_high(outline, integrals.centroid);
     if (region.stress) {
       quadratic.stress_x = region.stress->gradient_x;
       quadratic.stress_y = region.stress->gradient_y;
     }
-    const auto first = model.reference_vertex.begin() + shape.vertex_begin;
-    const std::vector<Vec3> bend = bend_of_corners({first, model.reference_vertex.end()}, shape.bend(), edges);
-    model.corner_bend.resize(std::size_t(shape.vertex_begin), Vec3::Zero());
-    model.corner_bend.insert(model.corner_bend.end(), bend.begin(), bend.end());
   }
   BlockState state;
   state.centroid = integrals.centroid;
@@ -173,8 +157,8 @@ int add_block(Model& model, int region_id, const Polyline& outline, Edges edges)
   return int(model.shapes.size()) - 1;
 }
 
-// The local edge of a cell that starts at point `p`.
-int edge_from(const std::vector<int>& cell, int p) { return int(std::find(cell.begin(), cell.end(), p) - cell.begin()); }
+// The number of the edge of a cell that starts at point `p`.
+size_t edge_from(const std::vector<int>& cell, int p) { return size_t(std::find(cell.begin(), cell.end(), p) - cell.begin()); }
 
 // Exact bonds: Gauss's points. Springs: at the ends, as the paper has them; where the jump may be quadratic also in the
 // middle, by Simpson's rule.
@@ -189,13 +173,16 @@ void place_points(Joint& joint, bool second_order) {
   }
 }
 
-void add_joint(Model& model, int first, const Tessellation& t, const Tessellation::Interface& face, int property,
+void add_joint(Model& model, int first, const Tessellation& t, const std::vector<DividedCell>& cells, const Tessellation::Interface& face, int property,
                bool bonded, const std::vector<int>& node) {
   const int a = first + face.a, b = first + face.b;
   const Vec2 p = t.points[face.p], q = t.points[face.q];
   Joint joint;
-  joint.edge_a = edge_from(t.cells[face.a], face.p);
-  joint.edge_b = edge_from(t.cells[face.b], face.q);
+  const std::vector<int>& corner_a = cells[size_t(face.a)].corner;
+  const size_t edge_a = edge_from(t.cells[face.a], face.p);
+  joint.edge_a = corner_a[edge_a];
+  joint.edge_b = cells[size_t(face.b)].corner[edge_from(t.cells[face.b], face.q)];
+  joint.sides = corner_a[edge_a + 1] - corner_a[edge_a];
   joint.a = a;
   joint.b = b;
   joint.property = property;
@@ -217,11 +204,11 @@ void add_joint(Model& model, int first, const Tessellation& t, const Tessellatio
 // Nodes are the tessellation's points; a point where an unbonded trace passes serves both sides, and the
 // recovery separates them by the joints' connectivity.
 // Returns the number of each point's node.
-std::vector<int> add_nodes(Model& model, int region, const Tessellation& t, int first_block) {
+std::vector<int> add_nodes(Model& model, int region, const Tessellation& t, const std::vector<DividedCell>& cells, int first_block) {
   std::vector<int> node(t.points.size(), -1);
   std::vector<std::vector<std::pair<int, int>>> corners(t.points.size());
   for (size_t c = 0; c < t.cells.size(); ++c)
-    for (size_t v = 0; v < t.cells[c].size(); ++v) corners[t.cells[c][v]].push_back({first_block + int(c), int(v)});
+    for (size_t v = 0; v < t.cells[c].size(); ++v) corners[t.cells[c][v]].push_back({first_block + int(c), cells[c].corner[v]});
   Nodes& nodes = model.nodes;
   if (nodes.begin.empty()) nodes.begin.push_back(0);
   for (size_t p = 0; p < t.points.size(); ++p) {
@@ -238,9 +225,13 @@ std::vector<int> add_nodes(Model& model, int region, const Tessellation& t, int 
   return node;
 }
 
-// Whether nothing in it is bonded to anything.
-bool loose(const Tessellation& t, const Cuts& cuts) {
-  return std::ranges::all_of(t.interfaces, [&cuts](const Tessellation::Interface& face) { return face.trace >= 0 && !cuts.bonded[face.trace]; });
+// Whether anything may come to touch: else nothing asks for the middles of edges that bend.
+bool may_touch(const Scene& scene) {
+  const auto in_pieces = [](const Region& region) {
+    return region.outlines.size() > 1 || region.mesh.kind == MeshKind::given || !region.traces.empty() || !region.joint_sets.empty();
+  };
+  return scene.regions.size() > 1 || std::ranges::any_of(scene.regions, in_pieces) ||
+         std::ranges::any_of(scene.properties, [](const JointProperty& property) { return property.breaks; });
 }
 
 // Which cells become blocks of second order; empty if none.
@@ -251,32 +242,35 @@ std::vector<char> second_order(const Region& region, const Tessellation& t) {
   return bends;
 }
 
-void add_tessellation(Model& model, int region_id, Tessellation t, const Cuts& cuts, std::vector<FreeEdge>& edges) {
+void add_tessellation(Model& model, int region_id, const Tessellation& t, const Cuts& cuts, std::vector<FreeEdge>& edges) {
   const Region& region = model.scene.regions[region_id];
-  const std::vector<char> bends = loose(t, cuts) ? second_order(region, t) : std::vector<char>{};
-  if (!bends.empty()) divide_edges(t, bends);
+  const std::vector<DividedCell> cells = divided(t, may_touch(model.scene) ? second_order(region, t) : std::vector<char>{});
   const int first = int(model.shapes.size());
-  for (const std::vector<int>& cell : t.cells) add_block(model, region_id, t.outline(cell), bends.empty() ? Edges::straight : Edges::curved);
-  const std::vector<int> node = add_nodes(model, region_id, t, first);
+  for (const DividedCell& cell : cells) add_block(model, region_id, cell.outline);
+  const std::vector<int> node = add_nodes(model, region_id, t, cells, first);
   const int own = region.joint >= 0 ? region.joint : model.scene.contact;
   for (const Tessellation::Interface& face : t.interfaces) {
     const int a = first + face.a, b = first + face.b;
     const int property = face.trace >= 0 && cuts.property[face.trace] >= 0 ? cuts.property[face.trace] : own;
     const bool bonded = face.trace < 0 || cuts.bonded[face.trace];
-    add_joint(model, first, t, face, property, bonded, node);
+    add_joint(model, first, t, cells, face, property, bonded, node);
     if (!bonded)
       model.pair_property[(std::int64_t(std::min(a, b)) << 32) | std::max(a, b)] = property;
   }
-  for (const BoundaryEdge& edge : boundary_edges(t))
-    edges.push_back({region_id, first + edge.cell, edge_from(t.cells[edge.cell], edge.p), t.points[edge.p], t.points[edge.q]});
+  for (const BoundaryEdge& edge : boundary_edges(t)) {
+    const auto& [outline, corner] = cells[size_t(edge.cell)];
+    const size_t own = edge_from(t.cells[edge.cell], edge.p);
+    for (size_t side = size_t(corner[own]); side < size_t(corner[own + 1]); ++side)
+      edges.push_back({region_id, first + edge.cell, int(side), outline[side], outline[(side + 1) % outline.size()]});
+  }
 }
 
 void add_ready_blocks(Model& model, int region_id, std::vector<FreeEdge>& edges) {
   const Region& region = model.scene.regions[region_id];
   for (const Polyline& given : region.outlines) {
     const bool bends = unknowns(region, integrate(given)) == second_order_dofs;
-    const Polyline outline = bends ? divided(given) : given;
-    const int block = add_block(model, region_id, outline, bends ? Edges::curved : Edges::straight);
+    const Polyline outline = bends && may_touch(model.scene) ? divided(given) : given;
+    const int block = add_block(model, region_id, outline);
     for (size_t i = 0; i < outline.size(); ++i)
       edges.push_back({region_id, block, int(i), outline[i], outline[(i + 1) % outline.size()]});
   }
@@ -339,7 +333,7 @@ void add_region(Model& model, int region_id, std::vector<FreeEdge>& edges) {
     if (long(t.cells.size()) > left) throw std::length_error(std::to_string(t.cells.size()) + " blocks");
     check_cuts(region, cuts, t, model.notes);
     treat_slivers(region, model.origin, t, model.notes);
-    add_tessellation(model, region_id, std::move(t), cuts, edges);
+    add_tessellation(model, region_id, t, cuts, edges);
   } catch (const std::length_error& error) {
     const Place& place = region.mesh.place.file.empty() ? region.place : region.mesh.place;
     throw InputError(place, "mesh of " + field,

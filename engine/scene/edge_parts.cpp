@@ -3,53 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace talus {
 
 namespace {
 
-int parts_of_edge(double length, double area) {
-  constexpr double slender = 8;  // length over thickness
+constexpr double slender_block = 8, slender_triangle = 12;  // length over thickness; triangles of a mesh come to 10.6, between angles of 20.7°
+
+int parts_of_edge(double length, double area, double slender) {
   const double ratio = length * length / area;
   return ratio <= slender ? 2 : 2 * int(std::ceil(std::sqrt(20 * ratio / 8) / 2));
 }
 
-// Of the edges of a tessellation, by their ends in order.
-class EdgeParts {
- public:
-  EdgeParts(Tessellation& t, const std::vector<char>& bends) : points_(t.points) {
-    for (size_t c = 0; c < t.cells.size(); ++c) {
-      const std::vector<int>& cell = t.cells[c];
-      const Polyline outline = t.outline(cell);
-      const double area = signed_area(outline);
-      for (size_t i = 0; i < cell.size(); ++i) {
-        int& count = parts_[std::minmax(cell[i], cell[(i + 1) % cell.size()])].count;
-        if (bends[c]) count = std::max(count, parts_of_edge((outline[(i + 1) % cell.size()] - outline[i]).norm(), area));
-      }
-    }
-    for (auto& [ends, edge] : parts_) {
-      edge.first = int(points_.size());
-      const Vec2 from = points_[size_t(ends.first)], span = points_[size_t(ends.second)] - from;
-      for (int k = 1; k < edge.count; ++k) points_.emplace_back(from + double(k) / edge.count * span);
-    }
-  }
-  // From p to what is before q.
-  std::vector<int> from(int p, int q) const {
-    const auto& [count, first] = parts_.at(std::minmax(p, q));
-    std::vector<int> way{p};
-    for (int k = 0; k < count - 1; ++k) way.push_back(p < q ? first + k : first + count - 2 - k);
-    return way;
-  }
-
- private:
-  struct Part {
-    int count = 1, first = 0;  // first: of the points between the ends
-  };
-  std::vector<Vec2>& points_;
-  std::map<std::pair<int, int>, Part> parts_;
-};
+using Ends = std::pair<int, int>;  // of an edge of a tessellation, in order
 
 }  // namespace
 
@@ -58,30 +25,41 @@ Polyline divided(const Polyline& outline) {
   Polyline result;
   for (size_t i = 0; i < outline.size(); ++i) {
     const Vec2 from = outline[i], span = outline[(i + 1) % outline.size()] - from;
-    const int parts = parts_of_edge(span.norm(), area);
+    const int parts = parts_of_edge(span.norm(), area, slender_block);
     for (int k = 0; k < parts; ++k) result.emplace_back(from + double(k) / parts * span);
   }
   return result;
 }
 
-void divide_edges(Tessellation& t, const std::vector<char>& bends) {
-  const EdgeParts parts(t, bends);
-  for (std::vector<int>& cell : t.cells) {
-    std::vector<int> corners;
-    for (size_t i = 0; i < cell.size(); ++i) {
-      const std::vector<int> way = parts.from(cell[i], cell[(i + 1) % cell.size()]);
-      corners.insert(corners.end(), way.begin(), way.end());
+std::vector<DividedCell> divided(const Tessellation& t, const std::vector<char>& bends) {
+  std::map<Ends, int> parts;
+  for (size_t c = 0; c < bends.size(); ++c) {
+    if (!bends[c]) continue;
+    const std::vector<int>& cell = t.cells[c];
+    const Polyline outline = t.outline(cell);
+    const double area = signed_area(outline), slender = cell.size() == 3 ? slender_triangle : slender_block;
+    for (size_t i = 0, next = 1; i < cell.size(); ++i, next = (i + 1) % cell.size()) {
+      int& count = parts[std::minmax(cell[i], cell[next])];
+      count = std::max(count, parts_of_edge((outline[next] - outline[i]).norm(), area, slender));
     }
-    cell = std::move(corners);
   }
-  std::vector<Tessellation::Interface> interfaces;
-  for (const Tessellation::Interface& face : t.interfaces) {
-    std::vector<int> way = parts.from(face.p, face.q);
-    way.push_back(face.q);
-    for (size_t k = 0; k + 1 < way.size(); ++k) interfaces.push_back({face.a, face.b, way[k], way[k + 1], face.trace});
+  // Of both cells the same place, to the last bit.
+  const auto on_edge = [&t](const Ends& ends, double at) { return Vec2(t.points[size_t(ends.first)] + at * (t.points[size_t(ends.second)] - t.points[size_t(ends.first)])); };
+  std::vector<DividedCell> result(t.cells.size());
+  for (size_t c = 0; c < t.cells.size(); ++c) {
+    const std::vector<int>& cell = t.cells[c];
+    auto& [outline, corner] = result[c];
+    for (size_t i = 0, next = 1; i < cell.size(); ++i, next = (i + 1) % cell.size()) {
+      corner.push_back(int(outline.size()));
+      outline.push_back(t.points[size_t(cell[i])]);
+      const Ends ends = std::minmax(cell[i], cell[next]);
+      const auto found = parts.find(ends);
+      const int count = found == parts.end() ? 1 : found->second;
+      for (int k = 1; k < count; ++k) outline.push_back(on_edge(ends, double(cell[i] == ends.first ? k : count - k) / count));
+    }
+    corner.push_back(int(outline.size()));
   }
-  std::ranges::sort(interfaces, {}, [](const Tessellation::Interface& face) { return std::tuple(face.a, face.b, face.p); });
-  t.interfaces = std::move(interfaces);
+  return result;
 }
 
 }  // namespace talus

@@ -41,11 +41,11 @@ const ShownField block_shown[] = {
      [](lua_State* L, const Model& m, int id) { push_text(L, m.scene.regions[m.shapes[id].region].name); }},
     {"material", "name of its material",
      [](lua_State* L, const Model& m, int id) { push_text(L, m.material(id).name); }},
-    {"vertices", "corners now, list of {x, y} (m); of one of second order that nothing bonds with the middles of its edges, and more of slender ones",
+    {"vertices", "corners now, list of {x, y} (m); of one of second order, where anything may touch, with the middles of its edges, and more of slender ones",
      [](lua_State* L, const Model& m, int id) {
        lua_createtable(L, m.vertex_count(id), 0);
        for (int k = 0; k < m.vertex_count(id); ++k) {
-         const Vec2 p = m.corner(id, m.shapes[id].vertex_begin + k) + m.origin;
+         const Vec2 p = m.vertex[size_t(m.shapes[id].vertex_begin + k)] + m.origin;
          lua_createtable(L, 2, 0);
          for (int i = 0; i < 2; ++i) {
            lua_pushnumber(L, p[i]);

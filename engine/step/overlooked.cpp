@@ -17,6 +17,9 @@ using BlockPair = std::pair<int, int>;
 // Where bodies are looked at: as the step begins, as it ends, and where contacts are judged, y.
 enum Place { before, after, judged, places };
 
+// Of the depth that contacts press to in a step: what begins to press by less moves nothing, wherever it touches.
+constexpr double unfelt = 1e-4;
+
 class Hindsight {
  public:
   Hindsight(const Model& model, const ContactSearch& search, const std::vector<BlockState>& moved, double dt)
@@ -34,15 +37,18 @@ class Hindsight {
   bool any() const { return !pairs_.empty(); }
 
   bool presses_apart(const ContactTerms& contacts, const Vector& d) {
+    const auto pressed_in = [&](const ContactRows& row) { return -(row.gap0 + contacts.factor() * row.along(row.normal_i, row.normal_j, d)); };
+    double most = 0;
+    for (const ContactRows& row : contacts.rows()) most = std::max(most, pressed_in(row));
     for (const ContactRows& row : contacts.rows()) {
       const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), BlockPair(std::minmax(row.i, row.j)));
       if (at == pairs_.end() || *at != BlockPair(std::minmax(row.i, row.j))) continue;
       const Contact& contact = model_.contacts[row.contact];
-      const double pressed = -(row.gap0 + contacts.factor() * row.along(row.normal_i, row.normal_j, d));
+      const double pressed = pressed_in(row);
       if (pressed <= 0) continue;
       double& known = known_[at - pairs_.begin()];
       known = std::max(known, pressed + contact.offset);
-      if (contact.normal_force <= 0 && !touches(contact, before) && !touches(contact, judged)) return true;
+      if (pressed > unfelt * most && contact.normal_force <= 0 && !touches(contact, before) && !touches(contact, judged)) return true;
     }
     return false;
   }

@@ -184,7 +184,7 @@ function talus.grade(fields) end
 ---@field cuts? (talus.trace|talus.joint_set)[]|table joints that cut it; lists of traces as from a file may stand among them
 ---@field slivers? "merge"|"refuse"|"keep" blocks that cuts leave thinner than sliver_part: joined to a neighbour, with shorter edges closed; refused; or kept. A note says how many; triangles of a mesh are not merged
 ---@field sliver_part? number in [0, 0.2]; of the mesh size, or of the square root of the mean block area where there is no mesh; a block's thickness is 2·area/perimeter
----@field order? 1|2|"rigid"|fun(x: number, y: number): integer|string `1`: blocks deform with constant strain (6 unknowns); `2`: with a strain that varies linearly (12); `"rigid"`: not at all (3). A function of the centroid's x and y gives each block its own. Contacts follow the edges of a block of 2 as they bend where nothing bonds it: these, and joints on them, are in two parts or more. Of others the mean of each edge
+---@field order? 1|2|"rigid"|fun(x: number, y: number): integer|string `1`: blocks deform with constant strain (6 unknowns); `2`: with a strain that varies linearly (12); `"rigid"`: not at all (3). A function of the centroid's x and y gives each block its own. Contacts follow the edges of a block of 2 as they bend; where anything may touch these have corners in their middles, and more where they are slender
 ---@field held? boolean fixed as a whole: no unknowns; moves only by a `talus.fix` with a motion
 ---@field velocity? number[] m/s; at the start
 ---@field spin? number rad/s; at the start, counter-clockwise
@@ -728,7 +728,7 @@ function talus.latin_hypercube(fields) end
 ---@field id any ; number of the block, from 1, in VTK too
 ---@field region any ; name of its region
 ---@field material any ; name of its material
----@field vertices any ; corners now, list of {x, y} (m); of one of second order that nothing bonds with the middles of its edges, and more of slender ones
+---@field vertices any ; corners now, list of {x, y} (m); of one of second order, where anything may touch, with the middles of its edges, and more of slender ones
 ---@field order any ; 0 rigid or held, 1 first order, 2 second order
 ---@field fixed any ; 1 for a held block
 ---@field fragment any ; which fragment it belongs to, from 0: blocks that hang together by intact bonds

@@ -7,7 +7,6 @@
 #include "contact/detection.h"
 #include "equations/contact_terms.h"
 #include "equations/recovery.h"
-#include "model/corner_bend.h"
 #include "model/gauss.h"
 #include "small_scene.h"
 #include "step/simulation.h"
@@ -227,58 +226,45 @@ TEST(SecondOrder, StiffnessIsTheDerivativeOfTheForces) {
   }
 }
 
-// The sides of the polygon that contacts see are in the mean where the bent edges are, so that corner forces of an even pressure do its
-// work. Of a square the four conditions contradict each other; what is left is the same on all of its sides.
-TEST(SecondOrder, SidesOfTheContactPolygonLieInTheMeanOnTheBentEdges) {
-  const auto off = [](const std::vector<Vec2>& corners, const Bend& bend) {
-    const std::vector<Vec3> m = corner_bend(corners, bend);
-    std::vector<Vec3> sides;
-    for (size_t e = 0; e < corners.size(); ++e) {
-      const size_t next = (e + 1) % corners.size();
-      Vec3 mean = Vec3::Zero();
-      for (const GaussPoint& point : gauss_points(2)) mean += point.share * bend.monomials(corners[e] + point.at * (corners[next] - corners[e]));
-      sides.push_back((m[e] + m[next]) / 2 - mean);
-    }
-    return sides;
-  };
-  const Bend bend{1.3, Vec3(0.1, -0.02, 0.2)};
-  for (const Vec3& side : off({{-0.4, -0.3}, {0.9, -0.5}, {-0.5, 0.8}}, bend)) EXPECT_LT(side.norm(), 1e-14);
-  std::vector<Vec2> pentagon;
-  for (int k = 0; k < 5; ++k) pentagon.emplace_back(std::cos(1.2 * k), std::sin(1.2 * k));
-  for (const Vec3& side : off(pentagon, bend)) EXPECT_LT(side.norm(), 1e-14);
-  const std::vector<Vec3> square = off({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, {1, Vec3::Zero()});
-  for (const Vec3& side : square) EXPECT_NEAR(side.norm(), std::hypot(1.0, 1.0) / 3, 1e-14);
-}
-
-// Blocks of second order that nothing bonds have corners along their edges, the same on both sides of a joint, each part of which is a joint.
-TEST(SecondOrder, BothSidesOfAnUnbondedJointHaveTheSameCorners) {
-  Region cut = region("cut", rectangle(0, 0, 4, 1));
-  Trace& trace = cut.traces.emplace_back();
-  trace.points = {{0.1, -1}, {0.1, 2}};  // leaves a slender block on its left
-  trace.bonded = false;
-  const Model model = build(second_order(scene_of({cut})));
-  ASSERT_EQ(model.shapes.size(), 2U);
-  ASSERT_GT(model.joints.size(), 2U);
-  double length = 0;
-  for (const Joint& joint : model.joints) {
-    length += joint.length;
-    for (const auto& [block, edge, ends] : {std::tuple(joint.a, joint.edge_a, std::array{joint.in_a[0], joint.in_a[1]}), {joint.b, joint.edge_b, {joint.in_b[1], joint.in_b[0]}}}) {
-      const int begin = model.shapes[size_t(block)].vertex_begin;
-      EXPECT_TRUE(model.curved(block));
-      EXPECT_LT((model.reference_vertex[size_t(begin + edge)] - ends[0]).norm(), 1e-12);
-      EXPECT_LT((model.reference_vertex[size_t(begin + model.next_vertex(block, edge))] - ends[1]).norm(), 1e-12);
+// Blocks of second order have corners along their edges, the same on both sides of a joint, which stands on several sides then.
+TEST(SecondOrder, BothSidesOfAJointHaveTheSameCorners) {
+  for (const bool bonded : {false, true}) {
+    Region cut = region("cut", rectangle(0, 0, 4, 1));
+    Trace& trace = cut.traces.emplace_back();
+    trace.points = {{0.1, -1}, {0.1, 2}};  // leaves a slender block on its left
+    trace.bonded = bonded;
+    const Model model = build(second_order(scene_of({cut})));
+    ASSERT_EQ(model.shapes.size(), 2U);
+    ASSERT_EQ(model.joints.size(), 1U);
+    const Joint& joint = model.joints[0];
+    ASSERT_GT(joint.sides, 2);
+    EXPECT_NEAR(joint.length, 1, 1e-12);
+    const auto place = [&](int block, int corner) { return model.reference_place(block, model.reference_vertex[size_t(model.shapes[size_t(block)].vertex_begin + corner)]); };
+    EXPECT_LT((place(joint.a, joint.edge_a) - model.reference_place(joint.a, joint.in_a[0])).norm(), 1e-12);
+    EXPECT_LT((place(joint.b, joint.edge_b) - model.reference_place(joint.b, joint.in_b[1])).norm(), 1e-12);
+    for (int side = 0; side < joint.sides; ++side) {
+      const int a = joint.edge_a + side, b = joint.facing(side);
+      EXPECT_LT((place(joint.a, a) - place(joint.b, model.next_vertex(joint.b, b))).norm(), 1e-15);
+      EXPECT_LT((place(joint.a, model.next_vertex(joint.a, a)) - place(joint.b, b)).norm(), 1e-15);
     }
   }
-  EXPECT_NEAR(length, 1, 1e-12);
 }
 
-// Rows of a contact are the derivative of gap and sliding, of the vertex and of the edge: one that bends, or one that stays straight.
-void rows_are_the_derivative(bool curved) {
+// A body that nothing can touch has no corners but its own.
+TEST(SecondOrder, WithoutContactsEdgesAreNotDivided) {
+  Region meshed = region("plate", rectangle(0, 0, 2, 1));
+  meshed.mesh.kind = MeshKind::triangles;
+  meshed.mesh.size = 0.5;
+  const Scene scene = second_order(scene_of({meshed}));
+  for (const BlockShape& shape : build(scene).shapes) EXPECT_EQ(shape.vertex_end - shape.vertex_begin, 3);
+  Scene with_floor = scene;
+  with_floor.regions.push_back(region("floor", rectangle(0, -2, 2, 1)));
+  EXPECT_EQ(build(with_floor).shapes[0].vertex_end, 6);
+}
+
+// Of the gap, of the vertex and of the edge as it bends.
+TEST(SecondOrder, ContactRowsAreTheDerivativeOfTheGap) {
   Model model = build(second_order(scene_of({region("floor", rectangle(0, 0, 3, 1)), region("block", rectangle(0.5, 1, 1, 1))})));
-  for (QuadraticShape& shape : model.quadratic_shapes) {
-    ASSERT_TRUE(shape.curved);
-    shape.curved = curved;
-  }
   *model.blocks[0].bend = {0.01, 0.02, -0.01, 0.005, 0.01, 0.02};
   *model.blocks[1].bend = {-0.02, 0.01, 0.01, 0.01, -0.005, 0.01};
   model.place_vertices();
@@ -299,23 +285,18 @@ void rows_are_the_derivative(bool curved) {
           moved.blocks[size_t(block)].velocity[size_t(unknown)] = 1;
           const Pose pose = flown(moved, block, by);
           for (int v = moved.shapes[size_t(block)].vertex_begin; v < moved.shapes[size_t(block)].vertex_end; ++v)
-            moved.vertex[size_t(v)] = pose.polygon_vertex(moved.reference_vertex[size_t(v)], moved.corner_bend[size_t(v)]);
+            moved.vertex[size_t(v)] = pose.place(moved.reference_vertex[size_t(v)]);
           const Contact& c = moved.contacts[size_t(row.contact)];
           const int to = moved.shapes[size_t(c.j)].vertex_begin + moved.next_vertex(c.j, c.edge);
           const Vec2 from = moved.vertex[size_t(c.global_edge)], span = moved.vertex[size_t(to)] - from;
           const Pose of_j = flown(moved, c.j, c.j == block ? by : 0);
           const Vec2 middle = of_j.place((moved.reference_vertex[size_t(c.global_edge)] + moved.reference_vertex[size_t(to)]) / 2);
-          return CurvedEdge{from, span, curved ? Vec2(middle - from - span / 2) : Vec2(0, 0)}.foot(moved.vertex[size_t(c.global_vertex)]).gap;
+          return CurvedEdge{from, span, Vec2(middle - from - span / 2)}.foot(moved.vertex[size_t(c.global_vertex)]).gap;
         };
         const double slope = (gap(h) - gap(-h)) / (2 * h);
         EXPECT_NEAR((block == row.i ? row.normal_i : row.normal_j)[size_t(unknown)], slope, 1e-7) << unknown;
       }
 }
-TEST(SecondOrder, ContactRowsAreTheDerivativeOfTheGap) {
-  rows_are_the_derivative(true);
-  rows_are_the_derivative(false);
-}
-
 // Loose blocks of both orders come to rest on each other by sweeps, and their stress carries what lies above.
 TEST(SecondOrder, LooseBlocksComeToRest) {
   Scene scene = second_order(scene_of({region("floor", rectangle(-1, -1, 4, 1)), region("low", rectangle(0, 0, 1, 1)),

@@ -37,7 +37,7 @@ return {
       { name = "order", type = "order", values = { 1, 2, "rigid" }, default = 1,
         doc = "`1`: blocks deform with constant strain (6 unknowns); `2`: with a strain that varies linearly (12);"
             .. " `\"rigid\"`: not at all (3). A function of the centroid's x and y gives each block its own. Contacts follow the edges of a block of 2 as"
-            .. " they bend where nothing bonds it: these, and joints on them, are in two parts or more. Of others the mean of each edge" },
+            .. " they bend; where anything may touch these have corners in their middles, and more where they are slender" },
       { name = "held", type = "boolean", default = false,
         doc = "fixed as a whole: no unknowns; moves only by a `talus.fix` with a motion" },
       { name = "velocity", type = "vector", unit = "m/s", default = { 0, 0 }, doc = "at the start" },
