@@ -44,8 +44,7 @@ std::string block_name(const Model& model, int block) {
   return text;
 }
 
-Vec2 Model::place(int block, const Vec2& in_block) const {
-  const BlockState& state = blocks[block];
+Vec2 Model::place(int block, const BlockState& state, const Vec2& in_block) const {
   return state.centroid + Rotation::of(state.angle).turn(deformed(shapes[block], state, in_block));
 }
 

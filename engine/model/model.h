@@ -403,7 +403,8 @@ class Model {
   std::span<const Contact> asleep_contacts() const { return std::span(contacts).first(size_t(sleeping_contacts)); }
 
   // Place of the material point `in_block` (from the reference centroid): c + R ((I + e) X + q(X)).
-  Vec2 place(int block, const Vec2& in_block) const;
+  Vec2 place(int block, const Vec2& in_block) const { return place(block, blocks[block], in_block); }
+  Vec2 place(int block, const BlockState& state, const Vec2& in_block) const;  // in another state
   Vec2 velocity_at(int block, const Vec2& point) const;
   // Whether the edges of a block bend.
   bool curved(int block) const { return shapes[block].second_order(); }

@@ -24,13 +24,22 @@ class Closure {
   struct Pushed {
     Contact contact;
     Vec2 force;  // N/m, on the corner
+    Vec2 foot;   // m, the material point of the edge that it lies beside, from the block's reference centroid
   };
-  Vec2 moved(const Model& model, const Contact& contact, const std::vector<Vec2>& as_it_acts) const;
-  double of_bond(const Model& model, const Before& before) const;
+  struct Body {  // what hangs together by intact bonds, over its area: centroids then and now, m, and its turn, rad
+    Vec2 then = Vec2::Zero(), now = Vec2::Zero();
+    double turn = 0, area = 0;
+  };
+  static Vec2 foot(const Model& model, const Contact& contact);
+  std::vector<Body> bodies_of(const Model& model) const;  // per block
+  Vec2 way(const Model& model, const std::vector<Body>& bodies, int block, const Vec2& then, const Vec2& now, bool acts_then) const;
+  Vec2 way(const Model& model, const std::vector<Body>& bodies, int block, const Vec2& in_block, bool acts_then) const;  // of a material point
+  double of_bond(const Model& model, const std::vector<Body>& bodies, const Before& before) const;
   std::vector<BondTraction> fluxes(const Model& model, int joint) const;
 
   const JointTerms& bonds_;
   std::vector<Vec2> vertex_;
+  std::vector<BlockState> blocks_;
   double stored_;  // J/m, by contacts
   std::vector<Before> before_;
   std::vector<Pushed> pushed_;
