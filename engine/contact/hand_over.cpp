@@ -165,7 +165,7 @@ double carry_over(const Model& model, double dt, bool cracked, std::vector<Conta
       continue;
     }
     if (old->state != ContactState::open) {  // a loaded spring keeps its stiffness
-      c.length = c.kind == ContactKind::edge_edge && old->kind == ContactKind::edge_edge ? std::min(c.length, old->length) : old->length;
+      if (c.kind != ContactKind::edge_edge || old->kind != ContactKind::edge_edge) c.length = old->length;
       c.kind = old->kind;
       c.normal_stiffness = old->normal_stiffness;
       c.shear_stiffness = old->shear_stiffness;

@@ -203,3 +203,22 @@ end
 check.below("plates that stones hit: deepest overlap beyond a quarter of the way in a step and a twentieth of the thickness, of the plate's size", overlap, 0.01)
 check.below("plates that stones hit: unexplained energy, of the scale", unexplained, 0.01)
 check.below("plates that stones hit: largest gain in a step, of what moves and is stored", gain, 1e-4)
+
+-- A block pushed along a joint that only cohesion holds, k times as much as it takes, and pressed so that no end of it opens: it stands from k = 1 on. Where a look for equilibrium had
+-- moved it by more than what corners in one place may be apart, and back, a quarter of the face no longer counted: it slid by 4 mm, or away, below k = 1.33.
+local function pushed(order, k)
+  local push = 1*u.MPa
+  local joint = talus.joint { friction = 0, cohesion = k*push, tension = 0 }
+  local sim = talus.simulation { contact = talus.joint { friction = 0 }, output = quiet, time = { mode = "static", steps = 10, t_end = 1 }, probes = { top = {0.5, 0.75} },
+    regions = { talus.region { name = "rock", outline = talus.rect(0, 0, 1, 1), order = order, material = talus.material { name = "rock", density = 2500, young = 10*u.GPa, poisson = 0.2 },
+                  cuts = { talus.trace { points = { {-1, 0.5}, {2, 0.5} }, joint = joint, bonded = false } } } },
+    fix = { talus.fix { region = "rock", on = talus.line(0, 0, 1, 0) } },
+    loads = { talus.edge_load { region = "rock", on = talus.line(0, 0.5, 0, 1), traction = { { {0, 0}, {1, 2*push} }, 0 } },
+              talus.edge_load { region = "rock", on = talus.line(0, 1, 1, 1), traction = {0, -2*push} } } }
+  local stands = pcall(function() sim:run() end)
+  return stands and sim.probes.top.ux or math.huge
+end
+for _, order in ipairs {1, 2} do
+  check.between(("pushed against 1.02 times the cohesion it takes, order %d: way over that against three times"):format(order), pushed(order, 1.02)/pushed(order, 3), 1, 1.3)
+  check.near(("pushed against 0.98 times it, order %d: part that slides away"):format(order), pushed(order, 0.98) == math.huge and 1 or 0, 1, { abs = 0 })
+end
