@@ -120,13 +120,13 @@ void ContactSearch::find_surface(const Model& model) {
   surface_.bonded.clear();
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
-    const bool intact_one = joint.state == JointState::intact;
+    const bool holds = joint.state == JointState::intact;
     for (const int face : {model.shapes[joint.a].vertex_begin + joint.edge_a, model.shapes[joint.b].vertex_begin + joint.edge_b})
       for (int side = 0; side < joint.sides; ++side) {
-        if (intact_one) surface_.free_edge[size_t(face + side)] = 0;
+        if (holds) surface_.free_edge[size_t(face + side)] = 0;
         else surface_.joint[size_t(face + side)] = int(j);
       }
-    if (intact_one) surface_.bonded.insert(pair_key(joint.a, joint.b));
+    if (holds) surface_.bonded.insert(pair_key(joint.a, joint.b));
   }
   bond_corners(model, surface_.bonded);
   find_outlines(model);
