@@ -154,7 +154,7 @@ void ContactSearch::find_outlines(const Model& model) {
   for (const Joint& joint : model.joints) {
     if (joint.state != JointState::intact) continue;
     for (int side = 0; side < joint.sides; ++side) {
-      const OutlineEdge of_a{joint.a, joint.edge_a + side}, of_b{joint.b, joint.facing(side)};
+      const OutlineEdge of_a{joint.a, joint.edge_a + side}, of_b{joint.b, joint.facing(of_a.edge)};
       beyond[model.shapes[joint.a].vertex_begin + of_a.edge] = of_b;
       beyond[model.shapes[joint.b].vertex_begin + of_b.edge] = of_a;
     }

@@ -122,8 +122,9 @@ double share(const Model& model, const Contact& c) {
 void take_over(const Model& model, Contact& c) {
   const BondTraction bond = mean_traction(model.joints[c.joint]), t = taken_over(bond, model.contact_strength(c));
   if (t.normal >= 0) return;
-  c.normal_force = c.load_normal = -t.normal * share(model, c);
-  c.shear_force = c.load_shear = t.shear * share(model, c);
+  const double length = share(model, c);
+  c.normal_force = c.load_normal = -t.normal * length;
+  c.shear_force = c.load_shear = t.shear * length;
   c.stretch = c.shear_force / c.shear_stiffness;
   c.offset = -c.gap - c.normal_force / c.normal_stiffness;
   c.state = t.shear == bond.shear ? ContactState::stick : ContactState::slip;

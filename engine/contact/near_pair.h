@@ -270,7 +270,7 @@ class NearPair {
     if (j < 0) return -1;
     const Joint& joint = model_.joints[size_t(j)];
     if (joint.a != block && joint.b != block) return -1;
-    const int across = joint.b == block ? joint.facing(e - joint.edge_a) : joint.edge_a + joint.sides - 1 - (e - joint.edge_b);
+    const int across = joint.facing(e);
     return across == v || next(block, across) == v ? j : -1;
   }
   static bool lies_along(const Vec2& d, const Vec2& n) { return std::abs(d.dot(n)) <= parallel_sine; }  // unit vectors

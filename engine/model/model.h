@@ -192,7 +192,7 @@ struct Joint {
   Vec2 normal = Vec2::Zero();          // reference
   std::array<Vec2, 2> in_a, in_b;      // ends, from the blocks' reference centroids
   int edge_a = 0, edge_b = 0, sides = 1;  // the blocks' own edges, by local number: so many from these on, of b those that face them from the last on
-  int facing(int side) const { return edge_b + sides - 1 - side; }  // edge of b that faces edge_a + side
+  int facing(int edge) const { return edge_a + edge_b + sides - 1 - edge; }  // edge of the one block that faces this one of the other
   std::array<int, 2> node = {-1, -1};  // of its ends, into Model::nodes
   double weight_a = 0.5, weight_b = 0.5;  // shares of the two blocks in the flux {σ}n
   JointPoints points;

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "equations/bridge_law.h"
-#include "equations/side.h"
+#include "equations/jump.h"
 #include "model/fragments.h"
 #include "step/energies.h"
 
@@ -83,7 +83,8 @@ Vec2 Closure::way(const Model& model, const std::vector<Body>& bodies, int block
 double Closure::of_bond(const Model& model, const std::vector<Body>& bodies, const Before& before) const {
   const Joint& joint = model.joints[before.joint];
   const std::vector<BondTraction> flux = fluxes(model, before.joint);
-  const Vec2 normal = Rotation::of((blocks_[size_t(joint.a)].angle + blocks_[size_t(joint.b)].angle) / 2).turn(joint.normal);
+  const auto then_of = [&](int block) { return flown(model.shapes[size_t(block)], blocks_[size_t(block)], 0); };
+  const Vec2 normal = turned_normal(joint, then_of(joint.a), then_of(joint.b));
   double sum = 0;
   for (size_t p = 0; p < joint.points.size(); ++p) {
     const JointPoint& then = before.points[p];

@@ -275,9 +275,9 @@ double Stepper::turning_gain(const Scheme& scheme, const Course& course) {
   if (work.all == 0) return 0;
   double gain = 0;
   if (step_size_.heeds_turns()) {
-    const double moves = std::max(kinetic_energy(model_, 0), kinetic_energy_moved());
+    const double moves = kinetic_energy(model_, 0);
     if (work.all > StepSize::heeded_gain * most_turning_near_rest * moves)
-      gain = work.all / (most_turning_near_rest * std::max(moves, parts_.energies().stored()));
+      gain = work.all / (most_turning_near_rest * std::max({moves, kinetic_energy_moved(), parts_.energies().stored()}));
   }
   double energy = ledger_.scale();
   if (work.of_turns <= StepSize::heeded_gain * most_turning * energy) return gain;

@@ -243,7 +243,7 @@ TEST(SecondOrder, BothSidesOfAJointHaveTheSameCorners) {
     EXPECT_LT((place(joint.a, joint.edge_a) - model.reference_place(joint.a, joint.in_a[0])).norm(), 1e-12);
     EXPECT_LT((place(joint.b, joint.edge_b) - model.reference_place(joint.b, joint.in_b[1])).norm(), 1e-12);
     for (int side = 0; side < joint.sides; ++side) {
-      const int a = joint.edge_a + side, b = joint.facing(side);
+      const int a = joint.edge_a + side, b = joint.facing(a);
       EXPECT_LT((place(joint.a, a) - place(joint.b, model.next_vertex(joint.b, b))).norm(), 1e-15);
       EXPECT_LT((place(joint.a, model.next_vertex(joint.a, a)) - place(joint.b, b)).norm(), 1e-15);
     }
