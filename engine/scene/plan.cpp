@@ -20,6 +20,14 @@ int count_bodies(const Model& model) {
   return count;
 }
 
+template <class Is>
+bool any_load(const Scene& scene, Is is) {
+  const auto either = [&](const std::array<History, 2>& of) { return is(of[0]) || is(of[1]); };
+  return std::ranges::any_of(scene.point_loads, [&](const PointLoad& load) { return either(load.force); }) ||
+         std::ranges::any_of(scene.edge_loads, [&](const EdgeLoad& load) { return either(load.traction); }) ||
+         std::ranges::any_of(scene.regions, [&](const Region& region) { return either(region.body_force); });
+}
+
 std::string count_text(size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -31,10 +39,11 @@ bool moves_supports(const Scene& scene) {
 }
 
 bool loads_change(const Scene& scene) {
-  const auto changes = [](const std::array<History, 2>& of) { return !of[0].constant() || !of[1].constant(); };
-  return moves_supports(scene) || std::ranges::any_of(scene.point_loads, [&](const PointLoad& load) { return changes(load.force); }) ||
-         std::ranges::any_of(scene.edge_loads, [&](const EdgeLoad& load) { return changes(load.traction); }) ||
-         std::ranges::any_of(scene.regions, [&](const Region& region) { return changes(region.body_force); });
+  return moves_supports(scene) || any_load(scene, [](const History& of) { return !of.constant(); });
+}
+
+bool loaded_from_start(const Scene& scene) {
+  return !scene.gravity.isZero(0) || any_load(scene, [](const History& of) { return of.at(0) != 0; });
 }
 
 Plan make_plan(const Model& model) {

@@ -23,5 +23,6 @@ Plan make_plan(const Model& model);
 bool moves_supports(const Scene& scene);
 // Whether loads, body forces or supports are others at some times than at others.
 bool loads_change(const Scene& scene);
+bool loaded_from_start(const Scene& scene);  // by gravity, loads or body forces
 
 }  // namespace talus

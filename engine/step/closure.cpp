@@ -61,13 +61,17 @@ std::vector<Closure::Body> Closure::bodies_of(const Model& model) const {
   }
   for (Body& of : all)
     if (of.area > 0) of.then /= of.area, of.now /= of.area, of.turn /= of.area;
+  const auto held = [&](int block) { all[size_t(body[size_t(block)])].turn = 0; };
+  for (const PointFixity& of : model.point_fixities) held(of.block);
+  for (const EdgeFixity& of : model.edge_fixities) held(of.block);
   std::vector<Body> result;
   for (const int of : body) result.push_back(all[size_t(of)]);
   return result;
 }
 
 // m, that a force on a point of a body works along: as the body moves, turns by φ, with the moment that the force has as it acts, and is strained in its own axes.
-// Along the whole way, φ × r - ½ φ² r, stresses would do the work -½ φ² Σ f·r, though nothing but the body turns.
+// Along the whole way, φ × r - ½ φ² r, stresses would do the work -½ φ² Σ f·r, though nothing but the body turns. One that is supported does not turn: a support's
+// force, which does no work, is part of that sum.
 Vec2 Closure::way(const Model& model, const std::vector<Body>& bodies, int block, const Vec2& then, const Vec2& now, bool acts_then) const {
   if (model.shapes[size_t(block)].dofs == 0) return now - then;
   const Body& of = bodies[size_t(block)];

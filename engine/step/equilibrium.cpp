@@ -7,6 +7,7 @@
 
 #include "equations/block_terms.h"
 #include "equations/viscous_terms.h"
+#include "step/load_path.h"
 #include "step/part_timer.h"
 #include "step/restored.h"
 #include "step/settlement.h"
@@ -22,6 +23,7 @@ constexpr double least_hold = 1e-4;
 // Of what gives way: it then moves in a step no farther than waves take it through the whole scene, so that the crack that takes
 // most energy gets ahead of the others. With less, they grow together, and several stay.
 constexpr double giving_hold = 1;
+constexpr double often_far = 0.7;  // of the way that a step may move: what goes by its hold is not let go farther
 constexpr int static_patience = 4;  // steps that bring equilibrium no nearer, of bonds that soften
 constexpr int steps_a_level = 3;  // with one share of the slopes, before a larger one is tried
 constexpr int equilibrium_iterations = 200;
@@ -195,7 +197,10 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   StepReport& report = search.report;
   OpenCloseResult& result = search.last;
   Vector& d = search.d;
-  const double least = plan_.contacts && !in_one_piece(model_) ? least_hold * slower_by_width(model_) : 0, enough = model_.scene.numerics.static_tolerance;
+  bool limited = plan_.contacts && !in_one_piece(model_);
+  const double least = limited ? least_hold * slower_by_width(model_) : 0, enough = model_.scene.numerics.static_tolerance;
+  std::optional<Restored> freely;  // what nothing touches goes as far as Newton's method takes it, and where that makes it touch something begins again by short ways
+  if (plan_.contacts && !limited) freely.emplace(model_);
   Softening softening;
   const BridgeSearch bridged(bridges_);
   for (BlockState& state : model_.blocks) std::ranges::fill(state.velocity, 0);
@@ -211,6 +216,11 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     if (plan_.contacts) {
       StepTimer timer(totals_, "contact search");
       parts_.search.update(model_, 0);
+      if (freely && !model_.contacts.empty()) {
+        freely.reset();
+        limited = true;
+        continue;
+      }
     }
     bridges_.take(softening.share());
     assemble(stick, search.whole_way);
@@ -219,6 +229,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     since_fall = result.residual < 0.99 * least_residual ? 0 : since_fall + 1;
     least_residual = std::min(least_residual, result.residual);
     if (i > 0 && result.residual <= (since_fall < drifting ? 1 : drifting_residual) * enough) {
+      if (freely) freely->keep();
       end_sliding(model_);
       return true;
     }
@@ -233,7 +244,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     }
     if (!result.converged && (!plan_.contacts || result.singular_block >= 0)) return false;
     std::vector<BlockState> moved = moved_blocks(model_, Scheme::equilibrium(), d);
-    const double displacement = hold_and_leave(stick, moved, least);
+    const double displacement = hold_and_leave(stick, moved, least, limited);
     if (displacement < 0) continue;
     if (bridges_.any()) softening.watch(report.residual);
     search.jumped |= softening.wears;
@@ -286,7 +297,7 @@ void Equilibrium::accept(std::vector<BlockState>& moved, const Vector& d) {
 
 // Islands that were not solved, or went too far, stay where they are and are held harder next time, the others less, down to
 // `least`. Returns the largest displacement of those, or -1 where there are none.
-double Equilibrium::hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least) {
+double Equilibrium::hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least, bool limited) {
   const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
   const Islands& islands = parts_.islands.islands();
   double largest = -1;
@@ -298,9 +309,10 @@ double Equilibrium::hold_and_leave(bool stick, const std::vector<BlockState>& mo
     double harder = 0;
     if (!parts_.islands.converged(island))
       harder = stick ? 100 : 30;
-    else if (plan_.contacts && own > too_far)
+    else if (limited && own > too_far)
       harder = std::max(4.0, own / too_far);
-    for (const int b : islands.blocks(island)) hold_[b] = harder > 0 ? hold_[b] * harder : std::max(least, hold_[b] / 4);
+    const double softer = own > 0 ? std::clamp(often_far * too_far / own, 1.0, 4.0) : 4;
+    for (const int b : islands.blocks(island)) hold_[b] = harder > 0 ? std::max(hold_[b], least_hold) * harder : std::max(least, hold_[b] / softer);
     if (harder > 0) {
       parts_.islands.leave(island);
       ++totals_.cuts;
@@ -317,10 +329,10 @@ void Equilibrium::give_up(const EquilibriumSearch& search) const {
   const bool loose = !plan_.held_blocks && !plan_.fixities && !plan_.viscous;
   const std::string held = loose ? ". Nothing in the scene is held: give its base held = true, or a talus.fix" : "";
   if (search.left >= 0)
-    throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: on the way to one " + block_name(model_, search.left) +
+    throw RunError("no equilibrium at " + load_text(model_) + ": on the way to one " + block_name(model_, search.left) +
                    " topples or falls: hold it, or run the scene as dynamic" + held);
   const std::string alternating = search.alternation.text(model_);
-  throw RunError("no equilibrium at t = " + std::to_string(model_.time) + " s: " +
+  throw RunError("no equilibrium at " + load_text(model_) + ": " +
                  culprit(search) + " keeps moving. " +
                  (!alternating.empty()
                       ? "In " + std::to_string(search.report.iterations) + " solves " + alternating

@@ -39,7 +39,7 @@ class Equilibrium {
   bool find(bool stick, double hold, int iterations, EquilibriumSearch& search);
   bool balances_in_place();
   void start_sliding();
-  double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least);
+  double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least, bool limited);
   void assemble(bool stick, bool whole_way);
   IslandResult solve(Vector& d);
   void keep_rest(std::vector<BlockState>& moved);

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <utility>
+
+#include "scene/plan.h"
 
 namespace talus {
 
@@ -52,8 +55,9 @@ std::optional<Interval> first_jump(const Scene& scene, const Interval& in, doubl
 
 }  // namespace
 
-LoadPath::LoadPath(Model& model, double to)
+LoadPath::LoadPath(Model& model, double to, bool unloaded)
     : model_(model),
+      unloaded_(unloaded && loaded_from_start(model.scene)),
       jumps_(model.load_way.part < 1),
       from_(jumps_ ? model.load_way.from : model.time),
       until_(jumps_ ? model.time : to),
@@ -86,6 +90,12 @@ std::optional<LoadPath::Interval> LoadPath::next_jump() const {
 bool LoadPath::meets_jump() const { return next_jump().has_value(); }
 
 void LoadPath::cut(double part) {
+  if (std::exchange(unloaded_, false)) {
+    until_ = from_;
+    from_ = LoadWay::nothing;
+    jumps_ = true;
+    return;
+  }
   if (const std::optional<Interval> jump = next_jump()) {
     if (jump->first > from_ + jump_time * model_.scene.time.t_end) {
       until_ = jump->first;
@@ -95,6 +105,15 @@ void LoadPath::cut(double part) {
     until_ = jump->second;
   }
   stop_at(std::max(part * length(), least()));
+}
+
+std::string load_text(const Model& model) {
+  const LoadWay& way = model.load_way;
+  const std::string time = "t = " + std::to_string(model.time) + " s";
+  if (way.part == 1) return time;
+  char part[100];
+  std::snprintf(part, sizeof part, " and %.3g %% of %s", 100 * way.part, way.from == LoadWay::nothing ? "gravity and what else is there from the start" : "the way that loads or supports jump there");
+  return time + part;
 }
 
 }  // namespace talus

@@ -2,6 +2,7 @@
 // The way of the loads and supports of a static run: in time, and where they jump straight from what they were to what they
 // become, which no part of the time resolves.
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "model/model.h"
@@ -12,8 +13,9 @@ class LoadPath {  // a part of a load step
  public:
   using Interval = std::pair<double, double>;  // s
 
-  // From where the model's loads are: to the time `to` at most, or to the end of the jump that they are in.
-  LoadPath(Model& model, double to);
+  // From where the model's loads are: to the time `to` at most, or to the end of the jump that they are in. `unloaded`: what is there from the start comes
+  // with it, and where it is cut, by a jump before it.
+  LoadPath(Model& model, double to, bool unloaded = false);
 
   // Put the model where this part ends, with the loads of begins_at() still those that it begins with, or with those that it ends with.
   void begin() const;
@@ -27,6 +29,7 @@ class LoadPath {  // a part of a load step
   double length() const { return jumps_ ? go_ - come_ : until_ - from_; }  // s, or part of a jump
   double whole() const { return jumps_ ? 1 : model_.scene.time.t_end; }    // likewise, of the run or the jump
   bool complete(double to) const { return until_ == to && go_ == 1; }
+  bool from_nothing() const { return unloaded_ || from_ == LoadWay::nothing; }
   bool ends_jump() const { return jumps_ && go_ == 1; }
   double least() const { return least_part * whole(); }  // likewise, of a part
   bool is_shortest() const { return length() <= least() * (1 + 1e-9) && !meets_jump(); }
@@ -34,7 +37,7 @@ class LoadPath {  // a part of a load step
   void stop_at(double length);  // ends there, if it does not before
   double off_rate = 0;  // J/m that its last attempt left over its length
 
-  // Takes `part` of the way, but least() at least; to where loads begin to jump, if they do on it.
+  // Takes `part` of the way, but least() at least; to where loads begin to jump, if they do on it; first all of what is there from the start.
   void cut(double part);
 
  private:
@@ -43,9 +46,11 @@ class LoadPath {  // a part of a load step
   std::optional<Interval> next_jump() const;
 
   Model& model_;
-  bool jumps_;
+  bool unloaded_, jumps_;
   double from_, until_;  // s
   double come_, go_ = 1;  // parts of the jump
 };
+
+std::string load_text(const Model& model);  // where on it the loads are: "t = 0.5 s", and how far into a jump
 
 }  // namespace talus

@@ -186,14 +186,15 @@ double LoadSteps::pace(const LoadPath& path, double utilisation) const {
 // they have come up, would stay within the overshoot: then the load at which it jumps is known as well as any strength.
 StepReport LoadSteps::raise_load(double to, bool first) {
   const double strength = 1 + model_.scene.fracture.overshoot, before = parts_.fracture->judge();
-  LoadPath path(model_, to);
+  LoadPath path(model_, to, first && !plan_.initial_stress);
   path.stop_at(std::max(foreseen(path, before), path.least()));
   const Closure closure(model_, parts_.joints, {});
+  const double rest = parts_.energies().unexplained;
   int vain = 0;  // solves
   for (int cuts = 0;; ++cuts) {
     Restored attempt(model_);
     path.begin();
-    const IncrementBooking booking{{model_, parts_.supports, path.begins_at(), first, constants_before_}, BridgeBooking(model_), closure, first};
+    const IncrementBooking booking{{model_, parts_.supports, path.begins_at(), first, constants_before_}, BridgeBooking(model_), closure, rest, first};
     path.end();
     EquilibriumSearch search;
     search.most_solves = most_search_solves;
@@ -227,8 +228,9 @@ bool LoadSteps::book(const IncrementBooking& booking, LoadPath& path, bool jumpe
   const Ledger ledger = ledger_;
   book(booking.loads, booking.first);
   booking.bridges.book(model_, ledger_);
-  const double off = booking.closure.work(model_, lost(ledger_) - lost(ledger));
-  const Trapezoid trapezoid = trapezoid_of(path, {off, parts_.energies().unexplained}, ledger, ledger_, model_.scene.time);
+  const double after = parts_.energies().unexplained;
+  const double off = path.from_nothing() && !jumped ? booking.rest - after : booking.closure.work(model_, lost(ledger_) - lost(ledger));
+  const Trapezoid trapezoid = trapezoid_of(path, {off, after}, ledger, ledger_, model_.scene.time);
   if (!jumped && trapezoid == Trapezoid::too_long) {
     ledger_ = ledger;
     return false;
@@ -294,7 +296,7 @@ void LoadSteps::visit_state(StateVisitor& visitor) {
 }
 
 std::string LoadSteps::collapse_note() const {
-  return "no equilibrium beyond t = " + std::to_string(model_.time) + " s: " + collapse_ +
+  return "no equilibrium beyond " + load_text(model_) + ": " + collapse_ +
          "; the run ends with the last equilibrium there was";
 }
 

@@ -29,6 +29,7 @@ class LoadSteps {
     LoadStepBooking loads;
     BridgeBooking bridges;
     const Closure& closure;
+    double rest;  // J/m, unexplained before
     bool first;
   };
 

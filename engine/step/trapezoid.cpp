@@ -24,15 +24,16 @@ double exchanged(const Ledger& before, const Ledger& now) {
 
 Trapezoid trapezoid_of(LoadPath& path, const Off& off, const Ledger& before, const Ledger& after, const TimeControl& time) {
   const bool strict = std::abs(off.rest) > most_off * after.scale() && off.rest * off.now < 0;
-  const double most = std::max((strict ? strict_bend : most_bend) * exchanged(before, after), least_bend * after.scale());
-  if (std::abs(off.now) <= most) return Trapezoid::holds;
+  const double work = exchanged(before, after), least = least_bend * after.scale();
+  if (std::abs(off.now) <= std::max((strict ? strict_bend : most_bend) * work, least)) return Trapezoid::holds;
 
-  const double rate = off.now / path.length(), rate_before = std::exchange(path.off_rate, rate);
+  const double rate = off.now / path.length(), change = rate / std::exchange(path.off_rate, rate);
+  const bool goes_by_length = 1 / by_length < change && change < by_length;
+  if (goes_by_length && std::abs(off.now) <= std::max(most_bend * work, least)) return Trapezoid::holds;  // finer parts would leave as much
   if (path.is_shortest()) return Trapezoid::jumps;
   const double parts = path.length() / (path.jumps() ? 1 : time.t_end / time.steps);  // of a load step
   if (parts > finest_increment || path.meets_jump()) return Trapezoid::too_long;
-  const bool goes_by_length = off.now > 0 && rate < by_length * rate_before && rate_before < by_length * rate;
-  return strict && parts > strict_increment && !goes_by_length ? Trapezoid::too_long : Trapezoid::jumps;
+  return strict && parts > strict_increment && !(goes_by_length && off.now > 0) ? Trapezoid::too_long : Trapezoid::jumps;
 }
 
 }  // namespace talus

@@ -152,7 +152,7 @@ TEST(Step, ASearchForEquilibriumThatIsInterruptedChangesNothing) {
       solves = 0;
       undisturbed.step();
       failed += undisturbed.last.failures;
-      for (long last = 1; last <= solves; last += 11) {
+      for (long last = 1; last <= solves; last += 3) {
         long left = last;
         interrupted.step_parts().on_equilibrium_solve = [&] {
           if (--left == 0) throw std::runtime_error("interrupted");
