@@ -1,10 +1,10 @@
 #include "step/closure.h"
 
-#include <Eigen/Geometry>
+#include <cmath>
 
+#include "equations/block_terms.h"
 #include "equations/bridge_law.h"
 #include "equations/jump.h"
-#include "model/fragments.h"
 #include "step/energies.h"
 
 namespace talus {
@@ -16,27 +16,50 @@ bool pushes(const Contact& c) { return c.normal_force != 0 || c.shear_force != 0
 }  // namespace
 
 Closure::Closure(const Model& model, const JointTerms& bonds, const std::vector<int>& joints)
-    : bonds_(bonds), vertex_(model.vertex), blocks_(model.blocks), stored_(contact_energy(model.contacts)) {
-  std::vector<char> fails(model.joints.size(), 0);
-  for (const int j : joints) {
-    fails[size_t(j)] = 1;
-    before_.push_back({j, model.joints[j].points, fluxes(model, j)});
-  }
+    : bonds_(bonds), vertex_(model.vertex), blocks_(model.blocks), stored_(contact_energy(model.contacts)), virials_(virials(model, joints)) {
+  for (const int j : joints) before_.push_back({j, model.joints[j].points, fluxes(model, j)});
   for (const Contact& c : model.contacts)
-    if (pushes(c) && (c.joint < 0 || !fails[size_t(c.joint)])) pushed_.push_back({c, contact_push(model, c), foot(model, c)});
+    if (pushes(c)) pushed_.push_back({c, contact_push(model, c), foot(model, c)});
 }
 
 double Closure::work(const Model& model, double friction) const {
-  const std::vector<Body> bodies = bodies_of(model);
-  double sum = stored_ - contact_energy(model.contacts) - friction;
-  for (const Before& before : before_) sum += of_bond(model, bodies, before);
-  const auto work_of = [&](const Contact& c, const Vec2& force, const Vec2& foot, bool acts_then) {
+  double sum = stored_ - contact_energy(model.contacts) - friction + of_turns(model);
+  for (const Before& before : before_) sum += of_bond(model, before);
+  const auto work_of = [&](const Contact& c, const Vec2& force, const Vec2& foot) {
     const size_t v = size_t(c.global_vertex);
-    return force.dot(way(model, bodies, c.i, vertex_[v], model.vertex[v], acts_then) - way(model, bodies, c.j, foot, acts_then));
+    return force.dot(model.vertex[v] - vertex_[v] - way(model, c.j, foot));
   };
-  for (const auto& [c, force, foot] : pushed_) sum -= work_of(c, force, foot, true) / 2;
+  for (const auto& [c, force, foot] : pushed_) sum -= work_of(c, force, foot) / 2;
   for (const Contact& c : model.contacts)
-    if (pushes(c)) sum -= work_of(c, contact_push(model, c), foot(model, c), false) / 2;
+    if (pushes(c)) sum -= work_of(c, contact_push(model, c), foot(model, c)) / 2;
+  return sum;
+}
+
+// Σ f·r of all forces on a block, by its equilibrium in strain: A tr σ of its stress and of what the jumps of its bonds, and of those that have just `failed`, strain it by.
+std::vector<double> Closure::virials(const Model& model, const std::vector<int>& failed) const {
+  std::vector<double> virials(model.shapes.size(), 0);
+  const auto add = [&](int block, const Vec3& strain) {
+    const BlockShape& shape = model.shapes[size_t(block)];
+    if (shape.dofs > rigid_dofs) virials[size_t(block)] += shape.area * (elasticity(model.material(block)) * strain).head<2>().sum();
+  };
+  const auto add_jump = [&](int j) {
+    const auto [of_a, of_b] = bonds_.strain_of_jump(model, j, 0);
+    add(model.joints[size_t(j)].a, of_a);
+    add(model.joints[size_t(j)].b, of_b);
+  };
+  for (int b = 0; b < int(virials.size()); ++b) add(b, model.blocks[size_t(b)].strain);
+  for (int j = 0; j < int(model.joints.size()); ++j)
+    if (model.joints[size_t(j)].state == JointState::intact) add_jump(j);
+  for (const int j : failed) add_jump(j);
+  return virials;
+}
+
+// A block that turns by φ is strained in its own axes: of the work of all forces on it ½ (1 - cos φ) (Σ f·r after - before) is of its turn alone
+// (docs/theory.md, § 12).
+double Closure::of_turns(const Model& model) const {
+  const std::vector<double> now = virials(model, {});
+  double sum = 0;
+  for (size_t b = 0; b < now.size(); ++b) sum += (1 - std::cos(model.blocks[b].angle - blocks_[b].angle)) / 2 * (now[b] - virials_[b]);
   return sum;
 }
 
@@ -48,43 +71,11 @@ Vec2 Closure::foot(const Model& model, const Contact& c) {
   return (1 - at) * model.reference_vertex[size_t(c.global_edge)] + at * model.reference_vertex[size_t(end)];
 }
 
-std::vector<Closure::Body> Closure::bodies_of(const Model& model) const {
-  const std::vector<int> body = find_fragments(model);
-  std::vector<Body> all(model.shapes.size());
-  for (size_t b = 0; b < model.shapes.size(); ++b) {
-    const double area = model.shapes[b].area;
-    Body& of = all[size_t(body[b])];
-    of.area += area;
-    of.then += area * blocks_[b].centroid;
-    of.now += area * model.blocks[b].centroid;
-    of.turn += area * (model.blocks[b].angle - blocks_[b].angle);
-  }
-  for (Body& of : all)
-    if (of.area > 0) of.then /= of.area, of.now /= of.area, of.turn /= of.area;
-  const auto held = [&](int block) { all[size_t(body[size_t(block)])].turn = 0; };
-  for (const PointFixity& of : model.point_fixities) held(of.block);
-  for (const EdgeFixity& of : model.edge_fixities) held(of.block);
-  std::vector<Body> result;
-  for (const int of : body) result.push_back(all[size_t(of)]);
-  return result;
+Vec2 Closure::way(const Model& model, int block, const Vec2& in_block) const {
+  return model.place(block, in_block) - model.place(block, blocks_[size_t(block)], in_block);
 }
 
-// m, that a force on a point of a body works along: as the body moves, turns by φ, with the moment that the force has as it acts, and is strained in its own axes.
-// Along the whole way, φ × r - ½ φ² r, stresses would do the work -½ φ² Σ f·r, though nothing but the body turns. One that is supported does not turn: a support's
-// force, which does no work, is part of that sum.
-Vec2 Closure::way(const Model& model, const std::vector<Body>& bodies, int block, const Vec2& then, const Vec2& now, bool acts_then) const {
-  if (model.shapes[size_t(block)].dofs == 0) return now - then;
-  const Body& of = bodies[size_t(block)];
-  const Vec2 before = then - of.then, after = now - of.now;
-  const Eigen::Rotation2Dd turn(of.turn);
-  return of.now - of.then + of.turn * perp(acts_then ? before : after) + (acts_then ? turn.inverse() * after - before : after - turn * before);
-}
-
-Vec2 Closure::way(const Model& model, const std::vector<Body>& bodies, int block, const Vec2& in_block, bool acts_then) const {
-  return way(model, bodies, block, model.place(block, blocks_[size_t(block)], in_block), model.place(block, in_block), acts_then);
-}
-
-double Closure::of_bond(const Model& model, const std::vector<Body>& bodies, const Before& before) const {
+double Closure::of_bond(const Model& model, const Before& before) const {
   const Joint& joint = model.joints[before.joint];
   const std::vector<BondTraction> flux = fluxes(model, before.joint);
   const auto then_of = [&](int block) { return flown(model.shapes[size_t(block)], blocks_[size_t(block)], 0); };
@@ -94,7 +85,7 @@ double Closure::of_bond(const Model& model, const std::vector<Body>& bodies, con
     const JointPoint& then = before.points[p];
     const BondTraction bridged = from_path(joint, {then.across.traction, then.along.traction});  // its work is the bridge's to book
     const Vec2 traction = (then.normal - bridged.normal) * normal + (then.shear - bridged.shear) * perp(normal);
-    const Vec2 parted = way(model, bodies, joint.b, between(joint.in_b, then.at), true) - way(model, bodies, joint.a, between(joint.in_a, then.at), true);
+    const Vec2 parted = way(model, joint.b, between(joint.in_b, then.at)) - way(model, joint.a, between(joint.in_a, then.at));
     sum += then.weight / 2 *
            (traction.dot(parted) + (flux[p].normal - before.flux[p].normal) * then.opening + (flux[p].shear - before.flux[p].shear) * then.slip);
   }

@@ -10,7 +10,7 @@ namespace talus {
 
 class Closure {
  public:
-  // The rock as it is, with `joints` just failed.
+  // The rock as it is, with `joints` just failed, and contacts as they were before.
   Closure(const Model& model, const JointTerms& bonds, const std::vector<int>& joints);
   // J/m, where it has come to. friction: J/m, that contacts took on the way.
   double work(const Model& model, double friction) const;
@@ -26,21 +26,18 @@ class Closure {
     Vec2 force;  // N/m, on the corner
     Vec2 foot;   // m, the material point of the edge that it lies beside, from the block's reference centroid
   };
-  struct Body {  // what hangs together by intact bonds, over its area: centroids then and now, m, and its turn, rad
-    Vec2 then = Vec2::Zero(), now = Vec2::Zero();
-    double turn = 0, area = 0;
-  };
   static Vec2 foot(const Model& model, const Contact& contact);
-  std::vector<Body> bodies_of(const Model& model) const;  // per block
-  Vec2 way(const Model& model, const std::vector<Body>& bodies, int block, const Vec2& then, const Vec2& now, bool acts_then) const;
-  Vec2 way(const Model& model, const std::vector<Body>& bodies, int block, const Vec2& in_block, bool acts_then) const;  // of a material point
-  double of_bond(const Model& model, const std::vector<Body>& bodies, const Before& before) const;
+  std::vector<double> virials(const Model& model, const std::vector<int>& failed) const;
+  double of_turns(const Model& model) const;
+  Vec2 way(const Model& model, int block, const Vec2& in_block) const;  // m, of a material point
+  double of_bond(const Model& model, const Before& before) const;
   std::vector<BondTraction> fluxes(const Model& model, int joint) const;
 
   const JointTerms& bonds_;
   std::vector<Vec2> vertex_;
   std::vector<BlockState> blocks_;
   double stored_;  // J/m, by contacts
+  std::vector<double> virials_;  // J/m, per block
   std::vector<Before> before_;
   std::vector<Pushed> pushed_;
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "step/closure.h"
+#include "step/energies.h"
 #include "step/restored.h"
 #include "step/trapezoid.h"
 
@@ -246,10 +247,9 @@ bool LoadSteps::book(const IncrementBooking& booking, LoadPath& path, bool jumpe
 StepReport LoadSteps::break_bonds(const std::vector<int>& due) {
   const double most = parts_.fracture->judge();
   const LoadStepBooking booking(model_, parts_.supports, model_.time, false, constants_before_);
-  const double by_bonds = parts_.fail(due, model_.time, false).energy;
-  parts_.search.update(model_, 0);
-  const double released = by_bonds - parts_.contacts_of_events();
+  const double by_bonds = parts_.fail(due, model_.time, false).energy, stored = contact_energy(model_.contacts);
   const Closure closure(model_, parts_.joints, due);
+  parts_.search.update(model_, 0);
   const BridgeBooking bridges(model_);
   Restored at_failure(model_);
   EquilibriumSearch search;
@@ -261,14 +261,14 @@ StepReport LoadSteps::break_bonds(const std::vector<int>& due) {
     const double before = lost(ledger_);
     booking.book(model_, parts_.supports, ledger_);
     constants_before_ = {};
-    ledger_.fracture_work += released + closure.work(model_, lost(ledger_) - before);
+    ledger_.fracture_work += by_bonds + closure.work(model_, lost(ledger_) - before);
     bridges.book(model_, ledger_);
     parts_.fracture->weaken();
     parts_.fracture->judge();
   } else {
     report = collapse(search);
     at_failure.back();
-    ledger_.fracture_work += released;
+    ledger_.fracture_work += by_bonds + stored - contact_energy(model_.contacts);
   }
   report.utilisation = most;
   report.failures = int(due.size());
