@@ -22,11 +22,9 @@ class Hiding {
     // Not by what blocks give way to: a wall that is none would be the harder to see the more it presses.
     const double flush = flush_part * std::min(model_.shapes[size_t(c.i)].length, model_.shapes[size_t(c.j)].length);
     if (c.gap >= -flush) return false;
-    const int last = outline_.last({c.j, c.edge});
     const auto beside = [&](const Contact& other) {
-      if (other.gap <= c.gap + flush || other.j == c.j) return false;
-      return (outline_.first(outline_.arriving(c.global_edge)) == other.global_edge && outline_.turn(c.global_edge) > 0) ||
-             (outline_.first(outline_.leaving(last)) == other.global_edge && outline_.turn(last) > 0);
+      return other.gap > c.gap + flush && other.j != c.j &&
+             outline_.any_round_corner(c.global_edge, outline_.last({c.j, c.edge}), [&](int edge) { return edge == other.global_edge; });
     };
     return any_of_corner(c.global_vertex, beside);
   }

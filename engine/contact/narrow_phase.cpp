@@ -29,7 +29,7 @@ double place_met(const Face& edge, double gap, double s, const Vec2& way) {
   return gap > 0 && ahead < 0 ? s + edge.along.dot(way) * gap / (gap - ahead) : s;
 }
 
-// Where a vertex is inside two edges that share a convex corner it rests on the one it entered last; where these are parts of one side, on one of them, be it next to
+// Where a vertex is inside two sides that share a convex corner it rests on the one it entered last; where these are parts of one side, on one of them, be it next to
 // its end: the one that its own side lies on, as of a joint, and if that does on both, the one that it was on before.
 void drop_deeper(const NearPair& pair, int vertex_block, int vertex, int block, std::vector<Candidate>& candidates) {
   if (candidates.size() < 2) {
@@ -48,14 +48,13 @@ void drop_deeper(const NearPair& pair, int vertex_block, int vertex, int block, 
   for (const Candidate& c : candidates) {
     bool dropped = false, on = c.on;
     for (const Candidate& other : candidates) {
+      if (other.edge == c.edge) continue;
       const bool follows = pair.next(block, c.edge) == other.edge, leads = pair.next(block, other.edge) == c.edge;
-      if (!(follows || leads) || other.edge == c.edge) continue;
-      const int between = follows ? other.edge : c.edge;
-      if (pair.straight(block, between)) {
+      if ((follows || leads) && pair.straight(block, follows ? other.edge : c.edge)) {
         dropped = dropped || better(other, c);
         on = on || other.on;
-      } else {
-        dropped = dropped || (c.gap < 0 && pair.convex(block, between) && shallower(other, c));
+      } else if (c.gap < 0 && shallower(other, c)) {
+        dropped = dropped || pair.turns_into(block, c.edge, other.edge) || pair.turns_into(block, other.edge, c.edge);
       }
     }
     if (!dropped && on) kept.push_back(c);

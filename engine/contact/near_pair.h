@@ -198,6 +198,15 @@ class NearPair {
     const OutlineCorner& at = corner(block, v);
     return own(block, v) && (smooth(block, v) || (std::abs(at.turn) <= parallel_sine && at.ahead.dot(at.behind) < 0 && !valley(block, v)));
   }
+  // Whether a side of the block turns outwards into the next at a corner, `e` part of the one and `f` of the other.
+  bool turns_into(int block, int e, int f) const {
+    int corner = next(block, e);
+    while (straight(block, corner) && corner != e) corner = next(block, corner);
+    if (straight(block, corner) || !convex(block, corner)) return false;
+    int part = corner;
+    while (part != f && straight(block, next(block, part))) part = next(block, part);
+    return part == f;
+  }
   bool outer(int block, int v) const { return corner(block, v).turn > parallel_sine; }
   bool convex(int block, int v) const { return corner(block, v).turn > 0; }
 

@@ -1,5 +1,7 @@
 #pragma once
 // The outlines of bodies at their corners, by global vertex: of blocks, and of blocks bonded to each other.
+#include <cmath>
+
 #include "contact/detection.h"
 #include "geometry/vec2.h"
 #include "model/model.h"
@@ -36,6 +38,25 @@ class Outline {
   double turn(int corner) const {
     const Vec2 d = ahead(corner), b = behind(corner);
     return cross(d, b) / (d.norm() * b.norm());
+  }
+  // Whether any edge is that the edge with the corners `from` and `to` turns outwards into, or that turns outwards into it, or is part of a side that does so with its side.
+  template <typename Is>
+  bool any_round_corner(int from, int to, Is is) const {
+    const auto goes_on = [this](int corner) { return std::abs(turn(corner)) <= parallel_sine && ahead(corner).dot(behind(corner)) < 0; };
+    const auto any = [&](int corner, const auto& next, const auto& edge) {
+      if (turn(corner) > 0 && is(edge(corner))) return true;
+      const int start = corner;
+      const auto more = [&] { return goes_on(corner) && next(corner) != start; };
+      while (more()) corner = next(corner);
+      if (goes_on(corner) || turn(corner) <= 0) return false;
+      do {
+        if (is(edge(corner))) return true;
+        corner = next(corner);
+      } while (more());
+      return false;
+    };
+    return any(to, [this](int corner) { return last(leaving(corner)); }, [this](int corner) { return first(leaving(corner)); }) ||
+           any(from, [this](int corner) { return first(arriving(corner)); }, [this](int corner) { return first(arriving(corner)); });
   }
 
  private:
