@@ -23,6 +23,7 @@ namespace talus {
 namespace {
 
 constexpr double most_gain = 1e-6;  // in a step, of what moves and is stored
+constexpr double most_gain_of_work = 1e-3;  // and of the work that loads and supports put in or take in it
 constexpr double most_turning = 1e-3;  // in a step, of the ledger's scale: what all steps leave unexplained is to be below a hundredth
 constexpr double most_turning_near_rest = 3e-3;  // in an automatic step, of what moves and is stored: what turns loses more than it gains by it
 constexpr double no_turn = 1e-6;  // rad, half the square of which is as nothing beside what contacts of rock are pressed in by, 1e-9 of the lever and more
@@ -371,8 +372,9 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
   ledger_.ahead = scheme.bond_ahead;
   if (plan_.bonds && !parts_.fracture) parts_.joints.store_tractions(model_);  // else they are, to be judged
   if (!start) return 0;
-  const double gained = parts_.energies().own() - start->own();
-  return gained + ledger_.pay(-gained);
+  const Energies end = parts_.energies();
+  const double gained = end.own() - start->own(), put_in = std::abs(end.external - start->external) + std::abs(end.boundary - start->boundary) + std::abs(end.gas - start->gas);
+  return gained + ledger_.pay(-gained) - most_gain_of_work * put_in;
 }
 
 // What the way from X to y holds is the integrator's.
