@@ -30,6 +30,9 @@ constexpr int equilibrium_iterations = 200;
 // What lies smooth between plates drifts on as they tilt by rounding and compliance: where the residual falls no more it will do up to ten times what is asked for.
 constexpr int drifting = 30;            // solves without a fall by a hundredth
 constexpr double drifting_residual = 10;  // of static_tolerance
+// What is all but held creeps on to where more holds it, by what the hold lets it go in a solve: where the residual does not fall that becomes more.
+constexpr int creeping = 10;  // solves
+constexpr double least_creep = 1e-4;  // part of least_hold
 constexpr int whole_way_among_cracks = 15;
 
 constexpr double release_hold = 0.1;
@@ -198,7 +201,8 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   OpenCloseResult& result = search.last;
   Vector& d = search.d;
   bool limited = plan_.contacts && !in_one_piece(model_);
-  const double least = limited ? least_hold * slower_by_width(model_) : 0, enough = model_.scene.numerics.static_tolerance;
+  double least = limited ? least_hold * slower_by_width(model_) : 0;
+  const double enough = model_.scene.numerics.static_tolerance;
   std::optional<Restored> freely;  // what nothing touches goes as far as Newton's method takes it, and where that makes it touch something begins again by short ways
   if (plan_.contacts && !limited) freely.emplace(model_);
   Softening softening;
@@ -228,6 +232,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     report.residual = result.residual;
     since_fall = result.residual < 0.99 * least_residual ? 0 : since_fall + 1;
     least_residual = std::min(least_residual, result.residual);
+    if (since_fall > 0 && since_fall % creeping == 0) least = std::max(least / 4, least_creep * least_hold);
     if (i > 0 && result.residual <= (since_fall < drifting ? 1 : drifting_residual) * enough) {
       if (freely) freely->keep();
       end_sliding(model_);

@@ -48,3 +48,21 @@ for _, speed in ipairs { 1, 5, 20 } do
     end
   end
 end
+
+-- Two piers and a lintel stand on a floor that shakes, without sliding: a row of its table every 10 ms, and a step each. A gain that is small beside the work of the floor cut 40 to 77 steps, and what grew back took 4 to 7 times as many.
+for _, order in ipairs { "rigid", 1, 2 } do
+  local stone = talus.material { name = "stone", density = 2200, young = 5e9, poisson = 0.2 }
+  local regions = { talus.region { name = "floor", outline = talus.rect(-8, -1, 12, 0), material = stone, held = true } }
+  for k, outline in ipairs { talus.rect(0, 0, 0.65, 2), talus.rect(2.5, 0, 3.15, 2), talus.rect(-0.2, 2, 3.35, 2.5) } do
+    regions[k + 1] = talus.region { name = "stone " .. k, outline = outline, material = stone, order = order }
+  end
+  local rows, w = {}, 4*math.pi
+  for k = 0, 400 do rows[k + 1] = { k/100, math.sin(w*k/100)/w } end
+  local sim = talus.simulation { gravity = {0, -9.81}, contact = talus.joint { friction = math.rad(30) }, regions = regions,
+    fix = { talus.fix { region = "floor", velocity = { rows, 0 } } }, time = { t_end = 4, start = "settled" } }
+  sim:run()
+  local e = sim.energy
+  talus.check.below(string.format("trilith on a floor that shakes by 1 m/s², order %s: steps, of the rows", order), sim.totals.steps/400, 2.5)
+  talus.check.below(string.format("trilith, order %s: part of the steps that were cut", order), sim.totals.cuts/sim.totals.steps, 0.05)
+  talus.check.above(string.format("trilith, order %s: numerical loss, of the scale", order), e.numerical/e.scale, -1e-3)
+end
