@@ -45,14 +45,13 @@ class Outline {
     const auto goes_on = [this](int corner) { return std::abs(turn(corner)) <= parallel_sine && ahead(corner).dot(behind(corner)) < 0; };
     const auto any = [&](int corner, const auto& next, const auto& edge) {
       if (turn(corner) > 0 && is(edge(corner))) return true;
-      const int start = corner;
-      const auto more = [&] { return goes_on(corner) && next(corner) != start; };
-      while (more()) corner = next(corner);
+      int left = most_parts;
+      while (goes_on(corner) && left-- > 0) corner = next(corner);
       if (goes_on(corner) || turn(corner) <= 0) return false;
       do {
         if (is(edge(corner))) return true;
         corner = next(corner);
-      } while (more());
+      } while (goes_on(corner) && left-- > 0);
       return false;
     };
     return any(to, [this](int corner) { return last(leaving(corner)); }, [this](int corner) { return first(leaving(corner)); }) ||
@@ -60,6 +59,8 @@ class Outline {
   }
 
  private:
+  static constexpr int most_parts = 64;  // of a side as near to its end as a corner can be deep
+
   const Model& model_;
   const Surface& surface_;
 };
