@@ -36,21 +36,40 @@ double Closure::work(const Model& model, double friction) const {
 }
 
 // Σ f·r of all forces on a block, by its equilibrium in strain: A tr σ of its stress and of what the jumps of its bonds, and of those that have just `failed`, strain it by.
+// Of a rigid block by its bonds and contacts.
 std::vector<double> Closure::virials(const Model& model, const std::vector<int>& failed) const {
   std::vector<double> virials(model.shapes.size(), 0);
-  const auto add = [&](int block, const Vec3& strain) {
+  const auto rigid = [&](int block) { return model.shapes[size_t(block)].dofs == rigid_dofs; };
+  const auto strained = [&](int block, const Vec3& strain) {
     const BlockShape& shape = model.shapes[size_t(block)];
     if (shape.dofs > rigid_dofs) virials[size_t(block)] += shape.area * (elasticity(model.material(block)) * strain).head<2>().sum();
   };
-  const auto add_jump = [&](int j) {
-    const auto [of_a, of_b] = bonds_.strain_of_jump(model, j, 0);
-    add(model.joints[size_t(j)].a, of_a);
-    add(model.joints[size_t(j)].b, of_b);
+  const auto pushed = [&](int block, const Vec2& force, const Vec2& at) {
+    if (rigid(block)) virials[size_t(block)] += force.dot(at - model.blocks[size_t(block)].centroid);
   };
-  for (int b = 0; b < int(virials.size()); ++b) add(b, model.blocks[size_t(b)].strain);
+  const auto bonded = [&](int j) {
+    const Joint& joint = model.joints[size_t(j)];
+    const auto [of_a, of_b] = bonds_.strain_of_jump(model, j, 0);
+    strained(joint.a, of_a);
+    strained(joint.b, of_b);
+    if (!rigid(joint.a) && !rigid(joint.b)) return;
+    const Vec2 normal = turned_normal(joint, flown(model, joint.a, 0), flown(model, joint.b, 0));
+    for (const JointPoint& point : joint.points) {
+      const Vec2 force = point.weight * (point.normal * normal + point.shear * perp(normal));
+      pushed(joint.a, force, model.place(joint.a, between(joint.in_a, point.at)));
+      pushed(joint.b, -force, model.place(joint.b, between(joint.in_b, point.at)));
+    }
+  };
+  for (int b = 0; b < int(virials.size()); ++b) strained(b, model.blocks[size_t(b)].strain);
   for (int j = 0; j < int(model.joints.size()); ++j)
-    if (model.joints[size_t(j)].state == JointState::intact) add_jump(j);
-  for (const int j : failed) add_jump(j);
+    if (model.joints[size_t(j)].state == JointState::intact) bonded(j);
+  for (const int j : failed) bonded(j);
+  for (const Contact& c : model.contacts) {
+    if (!pushes(c) || (!rigid(c.i) && !rigid(c.j))) continue;
+    const Vec2 force = contact_push(model, c);
+    pushed(c.i, force, model.vertex[size_t(c.global_vertex)]);
+    pushed(c.j, -force, model.place(c.j, foot(model, c)));
+  }
   return virials;
 }
 

@@ -203,6 +203,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   bool limited = plan_.contacts && !in_one_piece(model_);
   double least = limited ? least_hold * slower_by_width(model_) : 0;
   const double enough = model_.scene.numerics.static_tolerance;
+  const bool loaded = plan_.gravity || plan_.loads;  // else nothing leads what creeps to where more holds it
   std::optional<Restored> freely;  // what nothing touches goes as far as Newton's method takes it, and where that makes it touch something begins again by short ways
   if (plan_.contacts && !limited) freely.emplace(model_);
   Softening softening;
@@ -232,7 +233,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     report.residual = result.residual;
     since_fall = result.residual < 0.99 * least_residual ? 0 : since_fall + 1;
     least_residual = std::min(least_residual, result.residual);
-    if (since_fall > 0 && since_fall % creeping == 0) least = std::max(least / 4, least_creep * least_hold);
+    if (loaded && since_fall > 0 && since_fall % creeping == 0) least = std::max(least / 4, least_creep * least_hold);
     if (i > 0 && result.residual <= (since_fall < drifting ? 1 : drifting_residual) * enough) {
       if (freely) freely->keep();
       end_sliding(model_);
