@@ -1,6 +1,6 @@
 -- Ours. Meshed bodies of breakable bonds that two plates crush in a static run, by 10 to 70 times the strain of their strength: wedges between cracks slip out at once, with turns of some hundredths.
 -- What the rock gives off in such a jump was the work of the forces before and after along all of the way, and a body that turns by φ so gave off -φ²/2 Σ f·r, which its stresses do not:
--- up to 12 % of the work put in was unexplained, now less than 0.5 % in 120 random scenes of both orders.
+-- up to 12 % of the work put in was unexplained, now at most 0.6 % in 120 random scenes of both orders.
 -- Source: the ledger, each term integrated on its own; Clapeyron's theorem in the axes of each block (theory, § 12).
 -- Run: scripts/run tests/hard/59_crushed.lua -p full=true    (7 scenes, a minute of CPU; otherwise 2)
 local talus = require "talus"
