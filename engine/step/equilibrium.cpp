@@ -233,7 +233,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     report.residual = result.residual;
     since_fall = result.residual < 0.99 * least_residual ? 0 : since_fall + 1;
     least_residual = std::min(least_residual, result.residual);
-    if (loaded && since_fall > 0 && since_fall % creeping == 0) least = std::max(least / 4, least_creep * least_hold);
+    if (loaded && since_fall > 0 && since_fall % creeping == 0) least = std::min(least, std::max(least / 4, least_creep * least_hold));
     if (i > 0 && result.residual <= (since_fall < drifting ? 1 : drifting_residual) * enough) {
       if (freely) freely->keep();
       end_sliding(model_);
