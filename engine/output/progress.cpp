@@ -14,7 +14,8 @@ namespace {
 
 constexpr double quiet = 1;                               // s of a run without any progress line
 constexpr double terminal_every = 0.1, plain_every = 10;  // s between lines
-constexpr double worth_a_note = 0.01;                      // of the ledger's scale, that is unexplained: the bound of verification
+constexpr double worth_a_note = 0.01;                      // of the ledger's scale, that is unexplained or came from nothing: the bound of verification
+constexpr double little_damping = 0.6;                     // of theta: below it what turns may gain energy (docs/theory.md, § 2)
 constexpr const char* clear_line = "\r\x1b[K";
 
 std::string scientific(double value) {
@@ -23,6 +24,22 @@ std::string scientific(double value) {
   const std::string digits = std::to_string(static_cast<int>(std::abs(power)));
   return fixed(value / std::pow(10, power), 1) + "e" + (power < 0 ? "-" : "+") + (digits.size() < 2 ? "0" : "") +
          digits;
+}
+
+void tell_energies(const Simulation& simulation) {
+  const Energies energies = simulation.energies();
+  const Numerics& numerics = simulation.model.scene.numerics;
+  const bool undamped = simulation.plan.dynamic && numerics.integrator == Integrator::theta && numerics.theta < little_damping;
+  const char* const advice = undamped                  ? "numerics.theta below 0.6 gains energy in what turns on pins and bonds; its default is 0.75"
+                             : simulation.plan.dynamic ? "a smaller time.dt tells whether the answer hangs on it"
+                                                       : "more load steps tell whether the answer hangs on it";
+  const auto tell = [&](double part, const char* what) {
+    if (part > worth_a_note * energies.scale)
+      std::cerr << "note: " << significant(100 * part / energies.scale, 2) << " % of the energy " << what << ": " << advice << "\n";
+  };
+  tell(std::abs(energies.unexplained), "is unexplained (sim.energy.unexplained over scale)");
+  if (undamped || !simulation.plan.dynamic)  // else the floor of what rests on it may lift places y by as much for a while
+    tell(-energies.numerical, "came from nothing (sim.energy.numerical is negative)");
 }
 
 }  // namespace
@@ -81,10 +98,7 @@ void Progress::done(const Simulation& simulation, bool ended) {
     std::cerr << "note: the error of " << totals.inaccurate << " of " << totals.steps
               << " steps was beyond time.tolerance at the least step there is: something jumps or rings in them, which shorter ones do not cure; order = \"rigid\", a fixed "
                  "time.dt or a larger dt_min leave out the ringing of blocks\n";
-  const Energies energies = simulation.energies();
-  if (std::abs(energies.unexplained) > worth_a_note * energies.scale)
-    std::cerr << "note: " << significant(100 * std::abs(energies.unexplained) / energies.scale, 2)
-              << " % of the energy is unexplained (sim.energy.unexplained over scale): more load steps or a smaller time.dt tell whether the answer hangs on it\n";
+  tell_energies(simulation);
   std::cerr << done_line(ended ? std::numeric_limits<double>::quiet_NaN() : simulation.model.time, totals.steps, static_cast<long>(simulation.model.shapes.size()), cpu, simulation.model.scene.output.dir)
             << std::endl;
 }
