@@ -7,6 +7,7 @@
 #include "contact/outline.h"
 #include "contact/way_out.h"
 #include "geometry/polygon.h"
+#include "model/tensor_norms.h"
 
 namespace talus {
 
@@ -73,7 +74,7 @@ class Hindsight {
   // m, by which turning and straining moves what is in the block.
   double turning(int block) const {
     const BlockState &from = model_.blocks[block], &to = moved_[block];
-    return model_.shapes[block].radius * (std::abs(to.angle - from.angle) + (to.strain - from.strain).norm());
+    return model_.shapes[block].radius * (std::abs(to.angle - from.angle) + tensor_norm(to.strain - from.strain));
   }
   // What does not move past each other farther than may go wrong has nothing to be looked at.
   void add(const BlockPair& pair) {
@@ -117,7 +118,7 @@ class Hindsight {
     const auto radius = [&](int block) {
       const BlockState& state = moved_[block];
       const Vec3 rate(state.velocity[3], state.velocity[4], state.velocity[5]);
-      return model_.shapes[block].radius * (1 + state.strain.norm() + time / model_.shapes[block].length * rate.norm());
+      return model_.shapes[block].radius * (1 + tensor_norm(state.strain) + time / model_.shapes[block].length * tensor_norm(rate));
     };
     return (centre(moved_[a]) - centre(moved_[b])).norm() > radius(a) + radius(b);
   }

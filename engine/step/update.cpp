@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "equations/block_terms.h"
+#include "model/tensor_norms.h"
 
 namespace talus {
 
@@ -42,7 +43,7 @@ namespace {
 
 double bending(const BlockShape& shape, const BlockState& from, const BlockState& to) {
   const Vec6 bend = Eigen::Map<const Vec6>(to.bend->data()) - Eigen::Map<const Vec6>(from.bend->data());
-  return shape.radius * shape.radius / shape.area * bend.norm();  // |(X², XY, Y²)| <= |X|²
+  return shape.radius * shape.radius / shape.area * bend_norm(bend);
 }
 
 }  // namespace
@@ -51,10 +52,8 @@ double displacement(const Model& model, int block, const BlockState& to) {
   // A bound that is sharp for translation and for rotation about the centroid.
   const BlockState& from = model.blocks[block];
   const double turn = 2 * std::abs(std::sin((to.angle - from.angle) / 2));
-  const Vec3 strained = to.strain - from.strain;
-  const double strain = std::sqrt(strained[0] * strained[0] + strained[1] * strained[1] + strained[2] * strained[2] / 2);  // of the tensor: in all axes the same
   const BlockShape& shape = model.shapes[block];
-  const double linear = (to.shift - from.shift).norm() + shape.radius * (turn + strain);
+  const double linear = (to.shift - from.shift).norm() + shape.radius * (turn + tensor_norm(to.strain - from.strain));
   return shape.second_order() ? linear + bending(shape, from, to) : linear;
 }
 

@@ -78,8 +78,8 @@ local function bend(way)
   return { deflection*35*u.GPa/8, near.s1, near.s2 }  -- all in Pa
 end
 
--- The lengths of automatic steps of a soft block that falls on its corner and shears, part of the first.
-local function shear(way)
+-- The lengths of automatic steps of a soft block that falls on its corner and shears (of second order: and bends), part of the first.
+local function shear(way, order)
   local at, direction = placing(way)
   local k = way.scale
   local clay = talus.material { name = "clay", density = 2500, young = 1*u.MPa*k, poisson = 0.25 }
@@ -87,7 +87,7 @@ local function shear(way)
     gravity = direction(0, -g/k), contact = talus.joint { friction = 35*u.deg },
     regions = {
       talus.region { name = "slab", outline = talus.polygon { at(-4, -1), at(4, -1), at(4, 0), at(-4, 0) }, material = clay, held = true },
-      talus.region { name = "block", outline = talus.polygon { at(0, 0.01), at(0.8, 0.41), at(0.4, 1.21), at(-0.4, 0.81) }, material = clay,
+      talus.region { name = "block", outline = talus.polygon { at(0, 0.01), at(0.8, 0.41), at(0.4, 1.21), at(-0.4, 0.81) }, material = clay, order = order,
                      velocity = direction(0, -2/math.sqrt(k)) },
     },
     time = { mode = "dynamic", t_end = 1*math.sqrt(k) },
@@ -98,7 +98,9 @@ local function shear(way)
   return steps
 end
 
-for name, run in pairs { throw = throw, cantilever = bend, ["lengths of steps"] = shear } do
+local function shear_and_bend(way) return shear(way, 2) end
+
+for name, run in pairs { throw = throw, cantilever = bend, ["lengths of steps"] = shear, ["lengths of steps, second order"] = shear_and_bend } do
   local reference = run(ways[1])
   local largest = 0
   for _, value in ipairs(reference) do largest = math.max(largest, math.abs(value)) end
