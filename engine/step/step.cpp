@@ -37,7 +37,7 @@ void stand(const BlockState& where, BlockState& state) {
 }  // namespace
 
 Stepper::Stepper(StepParts& parts)
-    : parts_(parts), model_(parts.model), plan_(parts.plan), totals_(parts.totals), ledger_(parts.ledger), step_size_(model_, plan_.contacts) {
+    : parts_(parts), model_(parts.model), plan_(parts.plan), totals_(parts.totals), ledger_(parts.ledger), prestressed_(initial_stress_energy(model_)), step_size_(model_, plan_.contacts) {
   if (plan_.fracture) step_size_.among_cracks();
 }
 
@@ -99,7 +99,7 @@ StepReport Stepper::dynamic_step(double most) {
     if (plan_.restitution) restitution.emplace(model_, parts_.contacts);
     const double gained = accept(scheme, course.d, contacts_at_start(), start.energies);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
-    const bool gains = start.energies && gained > most_gain * start.energies->stored();
+    const bool gains = start.energies && gained > most_gain * stored(*start.energies);
     if (regretted) {
       step_size_.regretted(!gains);
     } else if (gains && start.changed && regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most)) {
@@ -278,11 +278,11 @@ double Stepper::turning_gain(const Scheme& scheme, const Course& course) {
   if (step_size_.heeds_turns()) {
     const double moves = kinetic_energy(model_, 0);
     if (work.all > StepSize::heeded_gain * most_turning_near_rest * moves)
-      gain = work.all / (most_turning_near_rest * std::max({moves, kinetic_energy_moved(), parts_.energies().stored()}));
+      gain = work.all / (most_turning_near_rest * std::max({moves, kinetic_energy_moved(), stored(parts_.energies())}));
   }
   double energy = ledger_.scale();
   if (work.of_turns <= StepSize::heeded_gain * most_turning * energy) return gain;
-  energy = std::max(energy, parts_.energies().stored());
+  energy = std::max(energy, stored(parts_.energies()));
   double fall = 0;  // J/m, what gravity puts in: in the first step there is nothing before it
   for (const int b : model_.awake_blocks())
     if (model_.shapes[b].dofs > 0) fall += model_.mass(b) * model_.scene.gravity.dot(moved_[b].shift - model_.blocks[b].shift);

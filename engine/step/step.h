@@ -66,6 +66,7 @@ class Stepper {
   bool overlooks(double dt, double displacement, const Vector& d);
   double turning_gain(const Scheme& scheme, const Course& course);
   double kinetic_energy_moved();  // J/m, of where the step leads
+  double stored(const Energies& energies) const { return energies.stored() + prestressed_; }  // J/m, and what moves: all there is
   void widen();
   void count(const IslandResult& result);
   // step/step_bonds.cpp
@@ -86,6 +87,7 @@ class Stepper {
   const Plan& plan_;
   RunTotals& totals_;
   Ledger& ledger_;
+  const double prestressed_;  // J/m, from which strain energy counts: what relaxes has less than nothing of it
   StepSize step_size_;
   BridgeMotion bridge_motion_;
   std::vector<Contact> contacts_before_;  // of what is awake, while a step is attempted
