@@ -35,7 +35,7 @@ CrackKind crack_kind(const std::vector<int>& crack_at_node, const Joint& joint) 
 double Fragment::size() const { return std::sqrt(4 * area / std::numbers::pi); }
 
 std::vector<Fragment> fragments(const Model& model) {
-  const std::vector<int> fragment = model.fragment.empty() ? find_fragments(model) : model.fragment;
+  const std::vector<int>& fragment = model.fragment;
   std::vector<Fragment> found;
   for (std::size_t b = 0; b < fragment.size(); ++b) {
     if (fragment[b] >= int(found.size())) {

@@ -149,7 +149,7 @@ std::span<const Field> block_fields() {
             [](Context c, int i) { return shape(c, i).dofs / first_order_dofs; }),
       whole("fixed", "1 for a held block", [](Context c, int i) { return shape(c, i).dofs == 0; }),
       whole("fragment", "which fragment it belongs to, from 0: blocks that hang together by intact bonds",
-            [](Context c, int i) { return c.model.fragment.empty() ? 0 : c.model.fragment[i]; }),
+            [](Context c, int i) { return c.model.fragment[i]; }),
       scalar("area", "A", "m2", "area now", [](Context c, int i) { return c.model.area(i); }),
       scalar("density", "ρ", "kg/m3", "density of its material",
              [](Context c, int i) { return c.model.material(i).density; }),

@@ -363,7 +363,7 @@ class Model {
   Peak highest;   // m, of a centroid above its place at the start; in motion
   Peak strained;  // largest principal strain, by its size (of second-order blocks the mean)
   Nodes nodes;
-  std::vector<int> fragment;  // per block: which connected set of intact joints it belongs to; empty where none can break
+  std::vector<int> fragment;  // per block: which connected set of intact joints it belongs to
   std::vector<int> held_by;  // per block: index of the fixity that holds it wholly, or -1
   std::vector<int> held_blocks;  // those without unknowns, rising
   // m/s, of each of held_blocks where they move: by how much faster it is as this step ends than as the last one did.

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "model/fragments.h"
 #include "scene/build_parts.h"
 
 namespace talus {
@@ -170,6 +171,7 @@ Model build(Scene scene) {
   scatter_strengths(model);
   note_cohesion(model);
   note_functions(model);
+  model.fragment = find_fragments(model);
   model.place_vertices();
   return model;
 }

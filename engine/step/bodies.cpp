@@ -1,18 +1,8 @@
 #include "step/bodies.h"
 
-#include <numeric>
-
 #include "equations/block_terms.h"
-#include "model/fragments.h"
 
 namespace talus {
-
-std::vector<int> bodies_in(const Model& model) {
-  if (!model.joints.empty()) return model.fragment.empty() ? find_fragments(model) : model.fragment;
-  std::vector<int> each(model.blocks.size());
-  std::iota(each.begin(), each.end(), 0);
-  return each;
-}
 
 std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& blocks, const std::vector<int>& body_of, size_t count) {
   std::vector<Body> bodies(count);

@@ -102,7 +102,7 @@ double slower_by_width(const Model& model) {
 // Whether all blocks hang together by bonds and nothing has cracked: then nothing touches.
 bool in_one_piece(const Model& model) {
   const auto failed = [](const Joint& joint) { return joint.state == JointState::failed; };
-  return !model.fragment.empty() && *std::max_element(model.fragment.begin(), model.fragment.end()) == 0 &&
+  return *std::max_element(model.fragment.begin(), model.fragment.end()) == 0 &&
          std::none_of(model.joints.begin(), model.joints.end(), failed);
 }
 

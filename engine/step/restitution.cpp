@@ -37,7 +37,7 @@ Row parting_row(const Model& model, const Contact& contact, int block) {
 class Bodies {
  public:
   explicit Bodies(const Model& model)
-      : model_(model), of_(bodies_in(model)), bodies_(bodies_of(model, model.blocks, of_, body_count(of_))), blocks_(bodies_.size()), moves_(bodies_.size(), true) {
+      : model_(model), of_(model.fragment), bodies_(bodies_of(model, model.blocks, of_, body_count(of_))), blocks_(bodies_.size()), moves_(bodies_.size(), true) {
     for (size_t b = 0; b < of_.size(); ++b) {
       blocks_[size_t(of_[b])].push_back(int(b));
       if (model.shapes[b].dofs == 0 || model.sleeps(int(b))) moves_[size_t(of_[b])] = false;

@@ -84,7 +84,7 @@ class Holder {
 class Carried {
  public:
   Carried(const Model& model, double before, double after)
-      : model_(model), before_(before), after_(after), body_of_(bodies_in(model)), count_(body_count(body_of_)),
+      : model_(model), before_(before), after_(after), body_of_(model.fragment), count_(body_count(body_of_)),
         way_(count_, Way::flies), frame_(count_) {
     lie();
     const std::vector<Holder> holders = fixed(body_of_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/fragments.h"
 #include "model/model.h"
 
 namespace talus::test {
@@ -30,6 +31,7 @@ inline void add_block(Model& model, const Polyline& outline, int dofs, int regio
   model.shapes.push_back(shape);
   model.blocks.push_back(state);
   model.held_by.push_back(-1);
+  model.fragment.push_back(int(model.fragment.size()));
 }
 
 // Block 0 (first order, region "left") on [0, 1] × [0, 1]; block 1 (held, region "right") on [1, 2] × [0, 1].
@@ -64,6 +66,7 @@ inline Model two_squares() {
   joint.points[0] = {.at = 0.25, .weight = 0.75, .normal = 400, .shear = -8, .opening = 0.004, .slip = 0.04};
   joint.points[1] = {.at = 0.75, .weight = 0.25, .normal = 800, .shear = 16, .opening = 0.008, .slip = 0.08};
   model.joints = {joint};
+  model.fragment = find_fragments(model);
 
   Contact contact;  // vertex 1 = (1, 0) of block 0 on edge 3 of block 1, which runs from (1, 1) down to (1, 0)
   contact.i = 0;

@@ -248,7 +248,7 @@ TEST(Bodies, HaveTheMomentOfInertiaOfTheirMass) {
   Simulation simulation(test::scene_of({test::region("plate", rectangle(0, 0, 0.2, 0.1))}));
   Model& model = simulation.model;
   model.blocks[0].velocity[2] = 3 * model.shapes[0].length;
-  const Body body = bodies_of(model, model.blocks, bodies_in(model), 1)[0];
+  const Body body = bodies_of(model, model.blocks, model.fragment, 1)[0];
   EXPECT_NEAR(body.inertia, model.mass(0) * (0.04 + 0.01) / 12, 1e-12 * body.inertia);
   EXPECT_NEAR(body.spin, 3, 1e-12);
 }
