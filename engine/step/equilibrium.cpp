@@ -8,6 +8,7 @@
 #include "equations/block_terms.h"
 #include "equations/viscous_terms.h"
 #include "step/load_path.h"
+#include "step/overlooked.h"
 #include "step/part_timer.h"
 #include "step/restored.h"
 #include "step/settlement.h"
@@ -34,6 +35,8 @@ constexpr double drifting_residual = 10;  // of static_tolerance
 constexpr int creeping = 10;  // solves
 constexpr double least_creep = 1e-4;  // part of least_hold
 constexpr int whole_way_among_cracks = 15;
+// Solves in a row that are not taken because they went past contacts: the first again with those on its way, the others held harder, in the end 64 times.
+constexpr int most_past = 4;
 
 constexpr double release_hold = 0.1;
 constexpr int release_iterations = 40;
@@ -215,12 +218,13 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   if (plan_.held_blocks) place_held_blocks(model_);
   hold_.assign(model_.shapes.size(), std::max(hold, least));
   double least_residual = std::numeric_limits<double>::infinity();
-  int since_fall = 0;
+  int since_fall = 0, past = 0;
+  std::vector<BlockState> seen;  // where the last solve led, past contacts
   for (int i = 0; i < iterations && report.iterations < search.most_solves; ++i) {
     if (search.jumped && !search.may_jump) return false;
     if (plan_.contacts) {
       StepTimer timer(totals_, "contact search");
-      parts_.search.update(model_, 0);
+      parts_.search.update(model_, 0, seen);
       if (freely && !model_.contacts.empty()) {
         freely.reset();
         limited = true;
@@ -256,6 +260,15 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     search.jumped |= softening.wears;
     report.displacement = std::max(report.displacement, displacement);
     keep_rest(moved);
+    past = past < most_past && limited && overlooked(model_, parts_.search, parts_.contacts, d, moved, 0, displacement) ? past + 1 : 0;
+    if (past > 1)
+      for (double& held : hold_) held = 4 * std::max(held, least_hold);
+    if (past > 0) {
+      seen = past == 1 ? moved : std::vector<BlockState>();
+      ++totals_.cuts;
+      continue;
+    }
+    seen.clear();
     accept(moved, d);
     if (!search.whole_way) end_sliding(model_);
     if (settlement) search.left = settlement->left(model_);
