@@ -105,7 +105,7 @@ bool LoadSteps::load_part(LoadPath& path, const ConstantsWay* constants, bool fo
   std::optional<Restored> attempt;
   std::optional<Closure> closure;
   if (follow || grows) attempt.emplace(model_);
-  if (follow && !grows) closure.emplace(model_, parts_.joints, std::vector<int>{});
+  if (plan_.contacts && (follow || first)) closure.emplace(model_, parts_.joints, std::vector<int>{});
   const double rest = grows ? parts_.energies().unexplained : 0;
   path.begin();
   const LoadStepBooking booking(model_, parts_.supports, path.begins_at(), first, constants_before_);
@@ -119,16 +119,15 @@ bool LoadSteps::load_part(LoadPath& path, const ConstantsWay* constants, bool fo
     equilibrium_.give_up(search);
   }
   book(booking, first);
-  if (attempt) {
-    const double after = parts_.energies().unexplained;
-    const double off = closure ? closure->work(model_, lost(ledger_) - lost(before)) : rest - after;
-    const Trapezoid trapezoid = trapezoid_of(path, {off, after}, before, ledger_, model_.scene.time);
-    if (trapezoid == Trapezoid::too_long) {
+  if (attempt || closure) {
+    const double given_off = closure ? closure->work(model_, lost(ledger_) - lost(before)) : 0, after = parts_.energies().unexplained;
+    const Trapezoid trapezoid = trapezoid_of(path, {grows ? rest - after : given_off, after}, before, ledger_, model_.scene.time);
+    if (attempt && trapezoid == Trapezoid::too_long) {
       ledger_ = before;
       return false;
     }
-    if (closure && trapezoid == Trapezoid::jumps && off > 0) ledger_.numerical_flow += off;
-    attempt->keep();
+    if (trapezoid != Trapezoid::holds && given_off > 0) ledger_.numerical_flow += given_off;
+    if (attempt) attempt->keep();
   }
   if (constants) constants_before_ = constants_of(model_.scene);
   report.iterations += search.report.iterations;
@@ -229,15 +228,14 @@ bool LoadSteps::book(const IncrementBooking& booking, LoadPath& path, bool jumpe
   const Ledger ledger = ledger_;
   book(booking.loads, booking.first);
   booking.bridges.book(model_, ledger_);
-  const double after = parts_.energies().unexplained;
-  const double off = path.from_nothing() && !jumped ? booking.rest - after : booking.closure.work(model_, lost(ledger_) - lost(ledger));
-  const Trapezoid trapezoid = trapezoid_of(path, {off, after}, ledger, ledger_, model_.scene.time);
+  const double after = parts_.energies().unexplained, given_off = booking.closure.work(model_, lost(ledger_) - lost(ledger));
+  const Trapezoid trapezoid = trapezoid_of(path, {path.from_nothing() && !jumped ? booking.rest - after : given_off, after}, ledger, ledger_, model_.scene.time);
   if (!jumped && trapezoid == Trapezoid::too_long) {
     ledger_ = ledger;
     return false;
   }
-  if (jumped || (trapezoid != Trapezoid::holds && off > 0))
-    ledger_.fracture_work += off;
+  if (jumped || (trapezoid != Trapezoid::holds && given_off > 0))
+    ledger_.fracture_work += given_off;
   else if (path.length() > 0)
     pace_ = raised / path.length();
   if (path.ends_jump()) pace_ = 0;
