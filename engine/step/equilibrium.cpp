@@ -35,8 +35,9 @@ constexpr double drifting_residual = 10;  // of static_tolerance
 constexpr int creeping = 10;  // solves
 constexpr double least_creep = 1e-4;  // part of least_hold
 constexpr int whole_way_among_cracks = 15;
-// Solves in a row that are not taken because they went past contacts: the first again with those on its way, the others held harder, in the end 64 times.
-constexpr int most_past = 4;
+// Solves in a row that are not taken because they went past contacts, each held four times harder than the one before.
+constexpr int most_past = 6;
+constexpr double past_hold = 16;  // as it is let go four times farther each time
 
 constexpr double release_hold = 0.1;
 constexpr int release_iterations = 40;
@@ -219,12 +220,13 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   hold_.assign(model_.shapes.size(), std::max(hold, least));
   double least_residual = std::numeric_limits<double>::infinity();
   int since_fall = 0, past = 0;
-  std::vector<BlockState> seen;  // where the last solve led, past contacts
+  std::vector<Contact> contacts;  // before the search, which keeps as an offset what it finds deep
   for (int i = 0; i < iterations && report.iterations < search.most_solves; ++i) {
     if (search.jumped && !search.may_jump) return false;
     if (plan_.contacts) {
       StepTimer timer(totals_, "contact search");
-      parts_.search.update(model_, 0, seen);
+      contacts = model_.contacts;
+      parts_.search.update(model_, 0);
       if (freely && !model_.contacts.empty()) {
         freely.reset();
         limited = true;
@@ -261,14 +263,13 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     report.displacement = std::max(report.displacement, displacement);
     keep_rest(moved);
     past = past < most_past && limited && overlooked(model_, parts_.search, parts_.contacts, d, moved, 0, displacement) ? past + 1 : 0;
-    if (past > 1)
-      for (double& held : hold_) held = 4 * std::max(held, least_hold);
     if (past > 0) {
-      seen = past == 1 ? moved : std::vector<BlockState>();
+      for (double& held : hold_) held = past_hold * std::max(held, least_hold);
+      model_.contacts = contacts;
+      parts_.search.forget_last();
       ++totals_.cuts;
       continue;
     }
-    seen.clear();
     accept(moved, d);
     if (!search.whole_way) end_sliding(model_);
     if (settlement) search.left = settlement->left(model_);

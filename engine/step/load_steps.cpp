@@ -121,12 +121,12 @@ bool LoadSteps::load_part(LoadPath& path, const ConstantsWay* constants, bool fo
   book(booking, first);
   if (attempt || closure) {
     const double given_off = closure ? closure->work(model_, lost(ledger_) - lost(before)) : 0, after = parts_.energies().unexplained;
-    const Trapezoid trapezoid = trapezoid_of(path, {grows ? rest - after : given_off, after}, before, ledger_, model_.scene.time);
+    const Trapezoid trapezoid = trapezoid_of(path, {grows ? rest - after - std::max(given_off, 0.0) : given_off, after}, before, ledger_, model_.scene.time);
     if (attempt && trapezoid == Trapezoid::too_long) {
       ledger_ = before;
       return false;
     }
-    if (trapezoid != Trapezoid::holds && given_off > 0) ledger_.numerical_flow += given_off;
+    if ((grows || trapezoid != Trapezoid::holds) && given_off > 0) ledger_.numerical_flow += given_off;
     if (attempt) attempt->keep();
   }
   if (constants) constants_before_ = constants_of(model_.scene);
