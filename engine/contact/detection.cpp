@@ -9,6 +9,7 @@
 
 #include "contact/hand_over.h"
 #include "contact/hidden.h"
+#include "contact/meeting_points.h"
 #include "contact/narrow_phase.h"
 #include "model/groups.h"
 #include "model/rates.h"
@@ -19,35 +20,6 @@ namespace talus {
 namespace {
 
 constexpr double shorter = 0.99;  // part of the last step: the same but for rounding
-
-// Where three or more bodies meet in a point, as round a node of a loose mesh, they hold each other by their faces. Two of
-// them that share none touch in that point only: what keeps them apart is what lies between, and a contact there would
-// bar ways that are free. They may press once the corners have parted.
-void drop_points(const Model& model, const std::vector<MeetingCorners>& meeting,
-                 const std::unordered_set<std::int64_t>& bonded, std::vector<Contact>& found) {
-  constexpr int none = -1, several = -2;
-  std::vector<int> other(model.vertex.size(), none);  // block of the other body that has a corner in the same place
-  const auto meets = [&](int corner, int block) {
-    int& met = other[corner];
-    if (met == none)
-      met = block;
-    else if (met != block && met != several && !bonded.contains(pair_key(met, block)))
-      met = several;
-  };
-  for (const MeetingCorners& m : meeting) {
-    meets(m.corner_a, m.b);
-    meets(m.corner_b, m.a);
-  }
-  std::erase_if(found, [&](const Contact& c) {
-    if (c.kind != ContactKind::angle_angle) return false;
-    const double near = meeting_distance(model, c.i, c.j);
-    for (const int end : {c.global_edge, model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)})
-      if ((other[c.global_vertex] == several || other[end] == several) &&
-          (model.vertex[c.global_vertex] - model.vertex[end]).norm() <= near)
-        return true;
-    return false;
-  });
-}
 
 std::span<const Vec2> reference_outline(const Model& model, int block) {
   return std::span(model.reference_vertex).subspan(size_t(model.shapes[size_t(block)].vertex_begin), size_t(model.vertex_count(block)));
@@ -245,7 +217,7 @@ void ContactSearch::update(Model& model, double dt, const std::vector<BlockState
       if (!bonded(a, b)) find_contacts(model, surface_, faces_, a, b, dt, now, meeting);
   }
   if (!seen.empty()) forget_last();  // it was of other velocities
-  drop_points(model, meeting, surface_.bonded, now);
+  drop_points(model, surface_, meeting, now);
   sort_large(now, [](const Contact& c) { return c.key(); });
   drop_hidden(model, surface_, faces_, now);
   ended_ = carry_over(model, dt, cracked, now);

@@ -1,8 +1,8 @@
 -- 62. Rock under stress, and pieces that come loose in it. A hole in a mass cut by two sets of joints under 20 and 8 MPa, whose friction the script lowers to a
--- half: automatic steps, of which none is cut, and the displacements of steps of 10 ms to a twentieth. A piece that slides down a slope onto a floor as its weight comes in the first
--- static load step, dropped by 3 to 8 cm in a scene of 22 m: no deeper in the floor than a hundredth of its size, and what it gives off in the ledger. Ours: 3632 steps, of which
--- 1122 were cut, for 34, as what relaxes stored less than nothing; pieces 1.9 cm deep in others for good; and 96 % of the work unexplained. Source: steps of 10 ms; the drop; the
--- ledger. (2 s CPU)
+-- half: automatic steps, of which none is cut, and the displacements of steps of 10 ms to a twentieth. A piece that slides down a slope onto a floor, as its weight comes in the first
+-- static load step and in motion, by 0 to 8 cm in a scene of 22 m: its tip comes to stand in the corner between slope and floor, which are two bodies, no deeper than a thousandth of its
+-- size, and what it gives off is in the ledger. Ours: 3632 steps, of which 1122 were cut, for 34, as what relaxes stored less than nothing; pieces 1.9 cm deep in others for good, tips
+-- a hundredth of their size in such corners; and 96 % of the work unexplained. Source: steps of 10 ms; the drop; the ledger. (2 s CPU)
 local talus = require "talus"
 local tools = require "tools"
 
@@ -36,7 +36,8 @@ for _, order in ipairs { 1, 2 } do
   talus.check.near(label .. ": largest displacement over that in steps of 10 ms", far/mass(order, 0.01), 1, { rel = 0.05 })
 end
 
-for _, drop in ipairs { 0.03, 0.05, 0.06, 0.08 } do
+for _, case in ipairs { {0, "static"}, {0.03, "static"}, {0.05, "static"}, {0.06, "static"}, {0.08, "static"}, {0, "dynamic"}, {0.05, "dynamic"} } do
+  local drop, mode = case[1], case[2]
   local dip, size = math.rad(67), 0.5
   local c, s = math.cos(dip), math.sin(dip)
   local function on(t, n) return { t*c - n*s, t*s + n*c } end  -- along the slope, off it
@@ -50,12 +51,12 @@ for _, drop in ipairs { 0.03, 0.05, 0.06, 0.08 } do
       talus.region { name = "high", outline = talus.rect(4, -1, 5, 21), material = rock, held = true },
       talus.region { name = "piece", outline = talus.polygon { on(a, 0), on(a + size, 0), on(a + size, 0.3*size) }, material = rock },
     },
-    time = { mode = "static" },
+    time = { mode = mode, t_end = 1 },
   }
-  local label = string.format("piece that slides onto a floor %g m below", drop)
+  local label = string.format("piece that slides onto a floor %g m below, %s", drop, mode)
   local ok, message = pcall(function() sim:run() end)
-  talus.check.equal(label .. ": finds equilibrium", ok and "yes" or tostring(message), "yes")
-  talus.check.near(label .. ": comes down, part of it", -sim.blocks[4].uy/drop, 1, { rel = 0.01*size/drop })
-  talus.check.below(label .. ": deepest overlap, of the smaller block", tools.overlap(sim), 0.01)
-  talus.check.below(label .. ": unexplained, of the scale", math.abs(sim.energy.unexplained)/sim.energy.scale, 1e-6)
+  talus.check.equal(label .. ": runs", ok and "to its end" or tostring(message), "to its end")
+  talus.check.near(label .. ": comes down, m", -sim.blocks[4].uy, drop, { abs = 1e-3*size })
+  talus.check.below(label .. ": deepest overlap, of the smaller block", tools.overlap(sim), 1e-3)
+  talus.check.below(label .. ": unexplained, of the scale", math.abs(sim.energy.unexplained)/sim.energy.scale, 1e-5)
 end
