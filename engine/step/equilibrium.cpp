@@ -262,12 +262,8 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     search.jumped |= softening.wears;
     report.displacement = std::max(report.displacement, displacement);
     keep_rest(moved);
-    past = past < most_past && limited && overlooked(model_, parts_.search, parts_.contacts, d, moved, 0, displacement) ? past + 1 : 0;
-    if (past > 0) {
-      for (double& held : hold_) held = past_hold * std::max(held, least_hold);
+    if (limited && goes_past(moved, d, displacement, past)) {
       model_.contacts = contacts;
-      parts_.search.forget_last();
-      ++totals_.cuts;
       continue;
     }
     accept(moved, d);
@@ -341,6 +337,19 @@ double Equilibrium::hold_and_leave(bool stick, const std::vector<BlockState>& mo
     }
   }
   return largest;
+}
+
+// Whether it went past contacts, for the `times`th solve in a row, and is not to be taken: the next is held harder.
+bool Equilibrium::goes_past(const std::vector<BlockState>& moved, const Vector& d, double displacement, int& times) {
+  if (times == most_past || !overlooked(model_, parts_.search, parts_.contacts, d, moved, 0, displacement)) {
+    times = 0;
+    return false;
+  }
+  ++times;
+  for (double& held : hold_) held = past_hold * std::max(held, least_hold);
+  parts_.search.forget_last();
+  ++totals_.cuts;
+  return true;
 }
 
 void Equilibrium::give_up(const EquilibriumSearch& search) const {

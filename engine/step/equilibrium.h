@@ -40,6 +40,7 @@ class Equilibrium {
   bool balances_in_place();
   void start_sliding();
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least, bool limited);
+  bool goes_past(const std::vector<BlockState>& moved, const Vector& d, double displacement, int& times);
   void assemble(bool stick, bool whole_way);
   IslandResult solve(Vector& d);
   void keep_rest(std::vector<BlockState>& moved);
