@@ -37,6 +37,7 @@ constexpr double least_creep = 1e-4;  // part of least_hold
 constexpr int whole_way_among_cracks = 15;
 // Solves in a row that are not taken because they went past contacts, each held four times harder than the one before.
 constexpr int most_past = 6;
+constexpr double deepest_past = 1e-3;  // of √area: as near as corners that a mesh was drawn with
 constexpr double past_hold = 16;  // as it is let go four times farther each time
 
 constexpr double release_hold = 0.1;
@@ -341,7 +342,7 @@ double Equilibrium::hold_and_leave(bool stick, const std::vector<BlockState>& mo
 
 // Whether it went past contacts, for the `times`th solve in a row, and is not to be taken: the next is held harder.
 bool Equilibrium::goes_past(const std::vector<BlockState>& moved, const Vector& d, double displacement, int& times) {
-  if (times == most_past || !overlooked(model_, parts_.search, parts_.contacts, d, moved, 0, displacement)) {
+  if (times == most_past || !overlooked(model_, parts_.search, parts_.contacts, d, moved, 0, displacement, deepest_past)) {
     times = 0;
     return false;
   }

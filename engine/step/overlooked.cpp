@@ -23,8 +23,8 @@ constexpr double unfelt = 1e-4;
 
 class Hindsight {
  public:
-  Hindsight(const Model& model, const ContactSearch& search, const std::vector<BlockState>& moved, double dt)
-      : model_(model), search_(search), moved_(moved), dt_(dt), ahead_(judged_ahead(model.scene.numerics, dt)) {
+  Hindsight(const Model& model, const ContactSearch& search, const std::vector<BlockState>& moved, double dt, double deepest)
+      : model_(model), search_(search), moved_(moved), dt_(dt), deepest_(deepest), ahead_(judged_ahead(model.scene.numerics, dt)) {
     for (const BlockPair& pair : search.near()) add(pair);
     if (thrown()) {
       for (const BlockPair& pair : search.near(model, moved, dt + ahead_)) add(pair);
@@ -68,7 +68,7 @@ class Hindsight {
  private:
   // m, that blocks may lie in each other: and as far as edges that contacts follow as they bend go off the lines between their corners, which are asked here.
   double tolerance(int a, int b) const {
-    return passing_tolerance * std::min(model_.shapes[a].length, model_.shapes[b].length) + model_.largest_rise(a, moved_[a]) + model_.largest_rise(b, moved_[b]);
+    return deepest_ * std::min(model_.shapes[a].length, model_.shapes[b].length) + model_.largest_rise(a, moved_[a]) + model_.largest_rise(b, moved_[b]);
   }
 
   // m, by which turning and straining moves what is in the block.
@@ -260,7 +260,8 @@ class Hindsight {
   const Model& model_;
   const ContactSearch& search_;
   const std::vector<BlockState>& moved_;
-  double dt_, ahead_;            // s, of the step; from its end to y
+  double dt_, deepest_;          // s, of the step; part of √area
+  double ahead_;                 // s, from its end to y
   std::vector<BlockPair> pairs_;  // that move past each other, sorted
   std::vector<double> known_;     // m, per pair: depth of the deepest of its contacts that press, as they know it
   std::vector<std::array<Outline, places>> outlines_;  // per block, those that have been asked for
@@ -269,9 +270,9 @@ class Hindsight {
 }  // namespace
 
 bool overlooked(const Model& model, const ContactSearch& search, const ContactTerms& contacts, const Vector& d,
-                const std::vector<BlockState>& moved, double dt, double displacement) {
-  if (2 * displacement <= passing_tolerance * search.least_length()) return false;
-  Hindsight hindsight(model, search, moved, dt);
+                const std::vector<BlockState>& moved, double dt, double displacement, double deepest) {
+  if (2 * displacement <= deepest * search.least_length()) return false;
+  Hindsight hindsight(model, search, moved, dt, deepest);
   return hindsight.any() && (hindsight.presses_apart(contacts, d) || hindsight.overlaps());
 }
 

@@ -10,8 +10,8 @@ namespace talus {
 
 // Whether two blocks that move past each other in a step of `dt`, by `displacement` at most, come to lie in each other deeper than their
 // contacts know of, or begin to press on each other where they do not touch: at the end of the step, or at the places y that
-// contacts are judged at. `d` solves the contacts, and leads to `moved`.
+// contacts are judged at. `d` solves the contacts, and leads to `moved`. `deepest`: what they may lie in each other, part of the smaller one's √area.
 bool overlooked(const Model& model, const ContactSearch& search, const ContactTerms& contacts, const Vector& d,
-                const std::vector<BlockState>& moved, double dt, double displacement);
+                const std::vector<BlockState>& moved, double dt, double displacement, double deepest = passing_tolerance);
 
 }  // namespace talus
