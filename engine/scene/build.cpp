@@ -133,6 +133,17 @@ void note_cohesion(Model& model) {
                             "\": contacts between blocks carry its friction alone; cohesion and tension are those of bonds and traces");
 }
 
+// A block that does not strain has no stress to press what is beside it with.
+void note_rigid_stress(Model& model) {
+  for (size_t r = 0; r < model.scene.regions.size(); ++r) {
+    const Region& region = model.scene.regions[r];
+    const auto rigid = std::ranges::count_if(model.shapes, [&](const BlockShape& shape) { return shape.region == int(r) && shape.dofs == rigid_dofs; });
+    if (region.stress && rigid > 0)
+      model.notes.push_back("region \"" + region.name + "\": " + std::to_string(rigid) + (rigid == 1 ? " rigid block has" : " rigid blocks have") +
+                            " no stress: its stress is that of blocks of order 1 and 2");
+  }
+}
+
 // Automatic steps stop at the rows of a table, but cannot know where a function will change.
 void note_functions(Model& model) {
   const Scene& scene = model.scene;
@@ -170,6 +181,7 @@ Model build(Scene scene) {
   share_fluxes(model);
   scatter_strengths(model);
   note_cohesion(model);
+  note_rigid_stress(model);
   note_functions(model);
   model.fragment = find_fragments(model);
   model.place_vertices();

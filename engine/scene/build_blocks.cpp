@@ -132,7 +132,7 @@ int add_block(Model& model, int region_id, const Polyline& outline) {
     shape.radius = std::max(shape.radius, model.reference_vertex.back().norm());
   }
   shape.vertex_end = int(model.reference_vertex.size());
-  if (region.stress) {
+  if (region.stress && shape.dofs != rigid_dofs) {
     const Vec2 user = integrals.centroid + model.origin;
     shape.initial_stress =
         region.stress->value + region.stress->gradient_x * user.x() + region.stress->gradient_y * user.y();

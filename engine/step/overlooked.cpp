@@ -27,7 +27,7 @@ class Hindsight {
       : model_(model), search_(search), moved_(moved), dt_(dt), deepest_(deepest), ahead_(judged_ahead(model.scene.numerics, dt)) {
     for (const BlockPair& pair : search.near()) add(pair);
     if (thrown()) {
-      for (const BlockPair& pair : search.near(model, moved, dt + ahead_)) add(pair);
+      for (const BlockPair& pair : near_on_the_way()) add(pair);
       std::sort(pairs_.begin(), pairs_.end());
       pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
     }
@@ -92,6 +92,18 @@ class Hindsight {
       if (off.norm() + shape.radius * std::abs(turn) > search_margin * shape.length) return true;
     }
     return false;
+  }
+
+  std::vector<BlockPair> near_on_the_way() const {
+    if (dt_ > 0) return search_.near(model_, moved_, dt_ + ahead_);
+    std::vector<BlockState> ways = moved_;  // of a static solve, as if they took a second
+    for (const int b : model_.awake_blocks()) {
+      const Vec2 shift = moved_[b].shift - model_.blocks[b].shift;
+      ways[b].velocity[0] = shift.x();
+      ways[b].velocity[1] = shift.y();
+      ways[b].velocity[2] = (moved_[b].angle - model_.blocks[b].angle) * model_.shapes[b].length;
+    }
+    return search_.near(model_, ways, 1);
   }
 
   struct Outline {
