@@ -142,7 +142,7 @@ int native_update(lua_State* L) {
   refuse_late(L, run->simulation, luaL_checkstring(L, 2), index, TableReader(L, 4));
   const std::string list = luaL_checkstring(L, 2);
   if (list != "point_loads" && list != "edge_loads") run->simulation.before_change();  // they hold no energy
-  update_scene(model.scene, list, index, TableReader(L, 4), model.time, run->simulation.change_until());
+  update_scene(model.scene, list, index, TableReader(L, 4), model.time, list == "fixities" ? run->simulation.displacement_until() : run->simulation.change_until());
   model.changed();
   return 0;
 }

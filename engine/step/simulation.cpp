@@ -220,6 +220,10 @@ void Simulation::before_change() {
   recovered_step_ = -1;
 }
 
+double Simulation::displacement_until() const {
+  return plan.dynamic && begun_ ? model.time + stepper_->step_size().next(model.time) : change_until();
+}
+
 void Simulation::book_change() {
   if (!changed_) return;
   if (plan.dynamic) {  // else with the load step

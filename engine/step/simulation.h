@@ -63,6 +63,8 @@ class Simulation {
   void before_change();
   // s, until when a load or support that is changed now comes to what it becomes: over the next load step. 0 in motion, and before the first: at once.
   double change_until() const { return plan.dynamic || totals.steps == 0 ? 0 : next_load(); }
+  // The same of a support's displacement, which in motion comes over the next step: at once it would strain its spring by all of it.
+  double displacement_until() const;
   StepParts& step_parts() { return *parts_; }
   Stepper& stepper() { return *stepper_; }
   // Smoothed stress, brought up to date on first use after a step. Null when numerics.recovery is off.
