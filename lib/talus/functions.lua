@@ -2,7 +2,7 @@
 return {
   {
     title = "A running simulation",
-    doc = "What `talus.simulation` returns. It can be read at any time and changed between steps and in handlers (loads and displacements of supports that change between two load steps of a static run come over the next one); "
+    doc = "What `talus.simulation` returns. It can be read at any time and changed between steps and in handlers (loads and displacements of supports that change between two load steps of a static run, and displacements between two steps in motion, come over the next one); "
       .. "inside a step (in a law) it can only be read.",
     { "sim:step()",
       "one accepted step; its status {step, time, dt, iterations, cuts, factorisations, residual, displacement,"
