@@ -368,7 +368,7 @@ void Mesher::refuse_field() const {
 }
 
 void Mesher::refuse_mesh() const {
-  if (expected_ > 0.5 * static_cast<double>(most_)) refuse_field();
+  if (expected_ > 0.5 * static_cast<double>(most_)) throw std::length_error("more than " + std::to_string(most_) + " triangles");  // no estimate is that good
   Vec2 where = Vec2::Zero();
   double least = std::numeric_limits<double>::infinity();
   for (Face face : triangulation_.finite_face_handles()) {
