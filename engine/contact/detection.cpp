@@ -59,14 +59,8 @@ class OnTheWay {
     if (ends.empty()) return;
     for (const int b : model.awake_blocks()) {
       BlockState& from = model.blocks[b];
-      const BlockState& to = ends[b];
-      const double length = model.shapes[b].length;
       kept_.emplace_back(b, from.velocity);
-      const Vec2 shift = (to.shift - from.shift) / dt;
-      const Vec3 strain = (to.strain - from.strain) * length / dt;
-      const double turn = (to.angle - from.angle) * length / dt;
-      for (int k = 0; k < first_order_dofs; ++k) from.velocity[k] = k < 2 ? shift[k] : k == 2 ? turn : strain[k - 3];
-      for (size_t k = 0; from.bend && k < from.bend->size(); ++k) from.velocity[first_order_dofs + k] = ((*to.bend)[k] - (*from.bend)[k]) / dt;
+      from.velocity = rates_of_way(model.shapes[b], from, ends[b], dt);
     }
   }
   OnTheWay(const OnTheWay&) = delete;

@@ -43,7 +43,7 @@ class MeetingPoints {
       met = several;
   }
 
-  // rad, from one direction to another, anticlockwise, in [0, 2π).
+  // rad, from one direction to another, anticlockwise; what is clockwise by less than `aslant` counts as along.
   static double turn(const Vec2& from, const Vec2& to) {
     const double angle = std::atan2(cross(from, to), from.dot(to));
     return angle < -aslant ? angle + 2 * std::numbers::pi : angle;

@@ -37,7 +37,6 @@ Fracture::Fracture(Model& model) : model_(model), at_node_(model.nodes.position.
   }
   if (std::any_of(breakable_.begin(), breakable_.end(), [&](int j) { return is_tracked(model, model.joints[j]); }))
     tracking_.emplace(model, at_node_);
-  restored();
 }
 
 double Fracture::least_transit() const {

@@ -135,13 +135,12 @@ void note_cohesion(Model& model) {
 
 // A block that does not strain has no stress to press what is beside it with.
 void note_rigid_stress(Model& model) {
-  for (size_t r = 0; r < model.scene.regions.size(); ++r) {
-    const Region& region = model.scene.regions[r];
-    const auto rigid = std::ranges::count_if(model.shapes, [&](const BlockShape& shape) { return shape.region == int(r) && shape.dofs == rigid_dofs; });
-    if (region.stress && rigid > 0)
-      model.notes.push_back("region \"" + region.name + "\": " + std::to_string(rigid) + (rigid == 1 ? " rigid block has" : " rigid blocks have") +
+  std::vector<int> rigid(model.scene.regions.size(), 0);
+  for (const BlockShape& shape : model.shapes) rigid[size_t(shape.region)] += shape.dofs == rigid_dofs;
+  for (size_t r = 0; r < rigid.size(); ++r)
+    if (const Region& region = model.scene.regions[r]; region.stress && rigid[r] > 0)
+      model.notes.push_back("region \"" + region.name + "\": " + std::to_string(rigid[r]) + (rigid[r] == 1 ? " rigid block has" : " rigid blocks have") +
                             " no stress: its stress is that of blocks of order 1 and 2");
-  }
 }
 
 // Automatic steps stop at the rows of a table, but cannot know where a function will change.

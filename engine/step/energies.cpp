@@ -39,7 +39,7 @@ double strain_of_blocks(const Model& model, bool asleep, double ahead) {
 double initial_stress_energy(const Model& model) {
   double sum = 0;
   for (const BlockShape& shape : model.shapes)
-    if (shape.dofs > rigid_dofs) sum += shape.area / 2 * shape.initial_stress.dot(elasticity(model.scene.materials[size_t(shape.material)]).inverse() * shape.initial_stress);
+    if (shape.dofs > rigid_dofs && !shape.initial_stress.isZero(0)) sum += shape.area / 2 * shape.initial_stress.dot(elasticity(model.scene.materials[size_t(shape.material)]).inverse() * shape.initial_stress);
   return sum;
 }
 

@@ -226,7 +226,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     if (search.jumped && !search.may_jump) return false;
     if (plan_.contacts) {
       StepTimer timer(totals_, "contact search");
-      contacts = model_.contacts;
+      if (limited) contacts = model_.contacts;
       parts_.search.update(model_, 0);
       if (freely && !model_.contacts.empty()) {
         freely.reset();

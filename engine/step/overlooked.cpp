@@ -7,6 +7,7 @@
 #include "contact/outline.h"
 #include "contact/way_out.h"
 #include "geometry/polygon.h"
+#include "model/rates.h"
 #include "model/tensor_norms.h"
 
 namespace talus {
@@ -97,12 +98,7 @@ class Hindsight {
   std::vector<BlockPair> near_on_the_way() const {
     if (dt_ > 0) return search_.near(model_, moved_, dt_ + ahead_);
     std::vector<BlockState> ways = moved_;  // of a static solve, as if they took a second
-    for (const int b : model_.awake_blocks()) {
-      const Vec2 shift = moved_[b].shift - model_.blocks[b].shift;
-      ways[b].velocity[0] = shift.x();
-      ways[b].velocity[1] = shift.y();
-      ways[b].velocity[2] = (moved_[b].angle - model_.blocks[b].angle) * model_.shapes[b].length;
-    }
+    for (const int b : model_.awake_blocks()) ways[b].velocity = rates_of_way(model_.shapes[b], model_.blocks[b], moved_[b], 1);
     return search_.near(model_, ways, 1);
   }
 

@@ -223,7 +223,7 @@ class Carried {
 
   const Model& model_;
   const double before_, after_;  // s, y ahead of X
-  const std::vector<int> body_of_;
+  const std::vector<int>& body_of_;
   const size_t count_;
   std::vector<Way> way_;
   std::vector<Frame> frame_;
