@@ -16,7 +16,7 @@ struct UsageError {
 
 struct Command {
   const char* name;
-  const char* usage;  // its lines of `talus --help`
+  const char* usage;                       // its lines of `talus --help`
   int (*run)(const Arguments& arguments);  // the exit status
 };
 

@@ -14,14 +14,14 @@ namespace talus {
 namespace {
 
 constexpr Command commands[] = {
-    {"run",
-     "  talus scene.lua [-p name=value …] [-o dir] […]    runs a scene (talus run scene.lua as well)\n",
+    {"run", "  talus scene.lua [-p name=value …] [-o dir] […]    runs a scene (talus run scene.lua as well)\n",
      run_command},
     {"check",
      "  talus check scene.lua [-p name=value …]       builds it, finds what is wrong, and says what a run would take\n",
      check_command},
     {"new", "  talus new [name] [slope|blast|disc|wall]      writes a commented scene to start from\n", new_command},
-    {"plan", "  talus plan scene.lua [-p name=value …]        builds it and prints what a step would do\n", plan_command},
+    {"plan", "  talus plan scene.lua [-p name=value …]        builds it and prints what a step would do\n",
+     plan_command},
     {"parameters", "  talus parameters scene.lua                    what -p can set\n", parameters_command},
     {"sweep",
      "  talus sweep study.lua [-j N] [--resume] [--retry]    runs the variants of a talus.study, N at once (docs/sweeps.md)\n"
@@ -32,12 +32,14 @@ constexpr Command commands[] = {
     {"picture",
      "  talus picture folder [--field name] [--time t|all|last] …     draws a finished run's results (--help says how)\n",
      picture_command},
-    {"view", "  talus view folder [-o file] [--fields a,b] [--every n]        writes one page that plays them in a browser\n",
+    {"view",
+     "  talus view folder [-o file] [--fields a,b] [--every n]        writes one page that plays them in a browser\n",
      view_command},
 };
 
 constexpr const char* title = "talus: 2D discontinuous deformation analysis, scripted in Lua\n\n";
-constexpr const char* options = R"(  talus --reference                             prints the scene reference (docs/scene_reference.md)
+constexpr const char* options =
+    R"(  talus --reference                             prints the scene reference (docs/scene_reference.md)
   talus --annotations                           prints what editors should know (lib/meta/talus.lua)
   talus --version
   talus --help

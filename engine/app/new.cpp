@@ -41,7 +41,8 @@ std::string renamed(std::string text, const std::string& kind, const std::string
 int new_command(const Arguments& arguments) {
   std::string kind, name;
   for (const std::string& argument : arguments) {
-    if (argument.starts_with("-") || (!kind.empty() && !name.empty())) throw UsageError{"new: unexpected argument \"" + argument + '"'};
+    if (argument.starts_with("-") || (!kind.empty() && !name.empty()))
+      throw UsageError{"new: unexpected argument \"" + argument + '"'};
     // The last word that names a kind is one: "talus new wall slope" is a slope called wall.
     if (is_kind(argument) && &argument == &arguments.back())
       kind = argument;
@@ -50,14 +51,16 @@ int new_command(const Arguments& arguments) {
     else
       throw UsageError{"new: expected slope, blast, disc or wall, got \"" + argument + '"'};
   }
-  if (kind.empty() && name.empty()) throw UsageError{"new: expected a name for the scene, and what it is to be: slope, blast, disc or wall"};
+  if (kind.empty() && name.empty())
+    throw UsageError{"new: expected a name for the scene, and what it is to be: slope, blast, disc or wall"};
   if (kind.empty()) kind = "slope";
   if (name.empty()) name = kind;
   if (!name.ends_with(".lua")) name += ".lua";
   const std::string stem = std::filesystem::path(name).stem().string();
   const std::string text = renamed(read_template(kind), kind, stem, name);
   std::error_code unmade;  // then the file cannot be made either, and that says why
-  if (const auto folder = std::filesystem::path(name).parent_path(); !folder.empty()) std::filesystem::create_directories(folder, unmade);
+  if (const auto folder = std::filesystem::path(name).parent_path(); !folder.empty())
+    std::filesystem::create_directories(folder, unmade);
   std::FILE* file = std::fopen(name.c_str(), "wbx");  // never over something that is there
   if (!file) throw std::runtime_error("new: cannot make " + name + ": " + std::strerror(errno));
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
@@ -67,8 +70,9 @@ int new_command(const Arguments& arguments) {
     throw std::runtime_error("new: cannot write " + name + ": " + reason);
   }
   const char* program = program_invocation_name;
-  std::printf("%s: a %s to start from\n  %s check %s    what it would take\n  %s %s          runs it; results in out/%s\n", name.c_str(),
-              kind.c_str(), program, name.c_str(), program, name.c_str(), stem.c_str());
+  std::printf(
+      "%s: a %s to start from\n  %s check %s    what it would take\n  %s %s          runs it; results in out/%s\n",
+      name.c_str(), kind.c_str(), program, name.c_str(), program, name.c_str(), stem.c_str());
   return exit_ok;
 }
 

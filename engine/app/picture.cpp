@@ -17,10 +17,11 @@ extern char** environ;
 namespace talus {
 namespace {
 
-constexpr const char* help = R"(talus picture folder [options]     draws what is in a run's results folder; nothing is run again
+constexpr const char* help =
+    R"(talus picture folder [options]     draws what is in a run's results folder; nothing is run again
 
-  --field name      colours the blocks: s1, sxx, speed, ux, fragment, region, …, or one of the run's own arrays; or the cracks
-                    or joints: gas_pressure, opening, utilisation, …; or none. Default s1
+  --field name      colours the blocks: s1, sxx, speed, ux, fragment, region, …, or one of the run's own arrays; or the
+                    cracks or joints: gas_pressure, opening, utilisation, …; or none. Default s1
   --time t          the frame nearest to t seconds; several, separated by commas; all; last. Default last
   --range a:b       of the colours. Default: from the values, one range for all that are drawn
   --vectors name    arrows of velocity or displacement
@@ -64,19 +65,32 @@ PictureJob read_job(const Arguments& arguments) {
   PictureJob job;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string argument = arguments[i];
-    if (argument == "--field") job.picture.field = value_after(arguments, i);
-    else if (argument == "--time") job.times = value_after(arguments, i);
-    else if (argument == "--range") job.picture.range = range(value_after(arguments, i));
-    else if (argument == "--vectors") job.picture.vectors = value_after(arguments, i);
-    else if (argument == "--scale") job.picture.scale = positive(argument, value_after(arguments, i));
-    else if (argument == "--width") job.picture.width = int(std::clamp(positive(argument, value_after(arguments, i)), 400., 1e4));
-    else if (argument == "--no-cracks") job.picture.cracks = false;
-    else if (argument == "--no-edges") job.picture.edges = false;
-    else if (argument == "--history") job.history = value_after(arguments, i);
-    else if (argument == "--png") job.png = true;
-    else if (argument == "-o") job.out = value_after(arguments, i);
-    else if (!argument.starts_with("-") && job.dir.empty()) job.dir = argument;
-    else throw UsageError{"picture: unexpected argument \"" + argument + "\""};
+    if (argument == "--field")
+      job.picture.field = value_after(arguments, i);
+    else if (argument == "--time")
+      job.times = value_after(arguments, i);
+    else if (argument == "--range")
+      job.picture.range = range(value_after(arguments, i));
+    else if (argument == "--vectors")
+      job.picture.vectors = value_after(arguments, i);
+    else if (argument == "--scale")
+      job.picture.scale = positive(argument, value_after(arguments, i));
+    else if (argument == "--width")
+      job.picture.width = int(std::clamp(positive(argument, value_after(arguments, i)), 400., 1e4));
+    else if (argument == "--no-cracks")
+      job.picture.cracks = false;
+    else if (argument == "--no-edges")
+      job.picture.edges = false;
+    else if (argument == "--history")
+      job.history = value_after(arguments, i);
+    else if (argument == "--png")
+      job.png = true;
+    else if (argument == "-o")
+      job.out = value_after(arguments, i);
+    else if (!argument.starts_with("-") && job.dir.empty())
+      job.dir = argument;
+    else
+      throw UsageError{"picture: unexpected argument \"" + argument + "\""};
   }
   if (job.dir.empty()) throw UsageError{"picture: expected a run's results folder"};
   if (job.out.empty()) job.out = job.dir;
@@ -102,8 +116,8 @@ void convert(const std::string& svg) {
   argv.push_back(nullptr);
   pid_t child = 0;
   int status = 0;
-  if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0 || waitpid(child, &status, 0) != child ||
-      status != 0)
+  if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0 ||
+      waitpid(child, &status, 0) != child || status != 0)
     throw RunError("--png: rsvg-convert is missing or failed (Debian: librsvg2-bin); " + svg + " is written");
   std::printf("%s\n", png.c_str());
 }

@@ -1,10 +1,8 @@
 // talus run, talus plan, talus parameters: a scene from its command line.
+#include <cmath>
 #include <cstdio>
 
 #include "app/command.h"
-
-#include <cmath>
-
 #include "app/settings.h"
 
 namespace talus {
@@ -45,7 +43,8 @@ SessionOptions named(const Arguments& arguments, const std::string& command) {
 // A whole number above 0, before "steps" where `word` is true.
 bool read_steps(const std::string& text, bool word, long& steps) {
   double amount = 0;
-  if (!read_amount(text, word ? Units{{"steps", 1}, {"step", 1}} : Units{{"", 1}}, amount) || amount != std::floor(amount))
+  if (!read_amount(text, word ? Units{{"steps", 1}, {"step", 1}} : Units{{"", 1}}, amount) ||
+      amount != std::floor(amount))
     return false;
   steps = long(amount);
   return true;
@@ -56,7 +55,8 @@ CheckpointOptions read_checkpoint(const Arguments& arguments, std::size_t& i) {
   for (const OptionSetting& setting : settings_after(arguments, i, {"every", "file"})) {
     if (setting.name == "file") {
       options.file = setting.value;
-    } else if (!read_amount(setting.value, durations, options.seconds) && !read_steps(setting.value, true, options.steps)) {
+    } else if (!read_amount(setting.value, durations, options.seconds) &&
+               !read_steps(setting.value, true, options.steps)) {
       refuse("--checkpoint", setting, "every=60s (ms, s, min or h) or every=1000steps");
     }
   }
@@ -70,7 +70,8 @@ Limits read_limits(const Arguments& arguments, std::size_t& i) {
     double bytes = 0;
     const std::string text = "--limit " + setting.text();
     if (setting.name == "time") {
-      if (!read_amount(setting.value, durations, limits.seconds)) refuse("--limit", setting, "time=60s (ms, s, min or h)");
+      if (!read_amount(setting.value, durations, limits.seconds))
+        refuse("--limit", setting, "time=60s (ms, s, min or h)");
       limits.time_text = text;
     } else if (setting.name == "memory") {
       if (!read_amount(setting.value, sizes, bytes)) refuse("--limit", setting, "memory=500MB (kB, MB or GB)");
@@ -94,8 +95,10 @@ const std::string& value_after(const Arguments& arguments, std::size_t& i) {
 std::vector<std::string> comma_separated(const std::string& text) {
   std::vector<std::string> out(1);
   for (const char c : text) {
-    if (c == ',') out.emplace_back();
-    else out.back() += c;
+    if (c == ',')
+      out.emplace_back();
+    else
+      out.back() += c;
   }
   return out;
 }
@@ -155,7 +158,8 @@ int parameters_command(const Arguments& arguments) {
   const int status = session.execute();
   // The first two words of a line are read by `talus sweep` too.
   for (const DeclaredParameter& known : session.declared())
-    std::printf("%s  %s  %s\n", known.name.c_str(), known.type == "string" ? "text" : known.type.c_str(), known.meaning.c_str());
+    std::printf("%s  %s  %s\n", known.name.c_str(), known.type == "string" ? "text" : known.type.c_str(),
+                known.meaning.c_str());
   return status;
 }
 

@@ -64,8 +64,7 @@ int sweep_command(const Arguments& arguments) {
   options.command.insert(options.command.end(), rest.begin(), rest.end());
   if (options.retry) options.command.emplace_back("--retry");
   int status = exit_ok;
-  session.on_study = [&, dir = session.output_dir, script = session.script](lua_State* L,
-                                                                            const std::string& library) {
+  session.on_study = [&, dir = session.output_dir, script = session.script](lua_State* L, const std::string& library) {
     Study study = read_study(L, script, library);
     if (!dir.empty()) study.dir = dir;
     status = sweep(study, options);

@@ -9,8 +9,9 @@
 namespace talus {
 namespace {
 
-constexpr const char* view_help = R"(talus view folder [options]     writes one page with all that is in a run's results folder: open it in any browser; it needs
-                                no network and no other file
+constexpr const char* view_help =
+    R"(talus view folder [options]     writes one page with all that is in a run's results folder: open it in any
+                                browser; it needs no network and no other file
 
   --fields a,b      which arrays of blocks and joints. Default: all but strain and s1_direction
   --every n         one frame of n, and the last. Default 1
@@ -33,11 +34,16 @@ int view_command(const Arguments& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string argument = arguments[i];
     if (argument == "--help" || argument == "-h") return std::fputs(view_help, stdout), exit_ok;
-    if (argument == "--fields") options.fields = comma_separated(value_after(arguments, i));
-    else if (argument == "--every") options.every = whole_number(value_after(arguments, i));
-    else if (argument == "-o") file = value_after(arguments, i);
-    else if (!argument.starts_with("-") && dir.empty()) dir = argument;
-    else throw UsageError{"view: unexpected argument \"" + argument + "\""};
+    if (argument == "--fields")
+      options.fields = comma_separated(value_after(arguments, i));
+    else if (argument == "--every")
+      options.every = whole_number(value_after(arguments, i));
+    else if (argument == "-o")
+      file = value_after(arguments, i);
+    else if (!argument.starts_with("-") && dir.empty())
+      dir = argument;
+    else
+      throw UsageError{"view: unexpected argument \"" + argument + "\""};
   }
   if (dir.empty()) throw UsageError{"view: expected a run's results folder"};
   const ResultsFolder run(dir);

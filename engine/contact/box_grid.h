@@ -15,11 +15,14 @@ struct Box {
   bool meets(const Box& other) const {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
   }
-  bool contains(const Box& other) const { return (low.array() <= other.low.array()).all() && (other.high.array() <= high.array()).all(); }
+  bool contains(const Box& other) const {
+    return (low.array() <= other.low.array()).all() && (other.high.array() <= high.array()).all();
+  }
   Box grown(double margin) const { return {low - Vec2(margin, margin), high + Vec2(margin, margin)}; }
 };
 
-// Of a block, grown by its motion in `dt`, of which the first three rates are asked for, and by search_margin of its length.
+// Of a block, grown by its motion in `dt`, of which the first three rates are asked for, and by search_margin of its
+// length.
 Box swept_box(const Model& model, int block, std::span<const double> velocity, double dt);
 
 class BoxGrid {
@@ -64,7 +67,9 @@ class BoxGrid {
       return;
     }
     for (std::int64_t x = cells.x0; x <= cells.x1; ++x)  // of one x, cells lie behind each other
-      for (auto e = std::lower_bound(begin, end, Entry{level.number, x, cells.y0, 0}); e != end && e->x == x && e->y <= cells.y1; ++e) visit(e->box);
+      for (auto e = std::lower_bound(begin, end, Entry{level.number, x, cells.y0, 0});
+           e != end && e->x == x && e->y <= cells.y1; ++e)
+        visit(e->box);
   }
 
   std::vector<Box> boxes_;

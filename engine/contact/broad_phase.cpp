@@ -9,7 +9,8 @@ namespace talus {
 
 namespace {
 
-// Of the boxes that NearBlocks keeps: they hold for some steps at present velocities, and for what velocities change by meanwhile.
+// Of the boxes that NearBlocks keeps: they hold for some steps at present velocities, and for what velocities change by
+// meanwhile.
 constexpr double steps_ahead = 6, wider = search_margin / 2;
 
 }  // namespace
@@ -21,8 +22,7 @@ Box swept_box(const Model& model, int block, std::span<const double> v, double d
     box.low = box.low.cwiseMin(model.vertex[k]);
     box.high = box.high.cwiseMax(model.vertex[k]);
   }
-  const double turn = std::abs(v[2]) / shape.length * shape.radius * dt,
-               margin = search_margin * shape.length + turn;
+  const double turn = std::abs(v[2]) / shape.length * shape.radius * dt, margin = search_margin * shape.length + turn;
   const Vec2 motion(v[0] * dt, v[1] * dt);
   box.low += motion.cwiseMin(0) - Vec2(margin, margin);
   box.high += motion.cwiseMax(0) + Vec2(margin, margin);
@@ -50,16 +50,17 @@ void BoxGrid::fill(std::vector<Box> boxes) {
   }
   std::sort(entries_.begin(), entries_.end());
   for (size_t e = 0; e < entries_.size(); ++e) {
-    if (levels_.empty() || levels_.back().number != entries_[e].level)
-      levels_.push_back({entries_[e].level, e, e});
+    if (levels_.empty() || levels_.back().number != entries_[e].level) levels_.push_back({entries_[e].level, e, e});
     levels_.back().end = e + 1;
   }
 }
 
 namespace {
 
-// Pairs (places in `blocks`, sorted) whose boxes meet. What is held is near what moves, or of no account; and what is held is not sought by it.
-std::vector<std::pair<int, int>> that_meet(const Model& model, const std::vector<int>& blocks, const std::vector<Box>& boxes) {
+// Pairs (places in `blocks`, sorted) whose boxes meet. What is held is near what moves, or of no account; and what is
+// held is not sought by it.
+std::vector<std::pair<int, int>> that_meet(const Model& model, const std::vector<int>& blocks,
+                                           const std::vector<Box>& boxes) {
   struct Part {
     std::vector<int> places;
     std::vector<Box> boxes;
@@ -84,9 +85,11 @@ std::vector<std::pair<int, int>> that_meet(const Model& model, const std::vector
     const Box& box = moving.grid.box(k);
     const int level = BoxGrid::level_of(box);
     moving.grid.each_meeting(box, level, [&](int other) {
-      if (other > k || BoxGrid::level_of(moving.grid.box(other)) != level) pairs.push_back(std::minmax(moving.places[k], moving.places[other]));
+      if (other > k || BoxGrid::level_of(moving.grid.box(other)) != level)
+        pairs.push_back(std::minmax(moving.places[k], moving.places[other]));
     });
-    held.grid.each_meeting(box, std::numeric_limits<int>::min(), [&](int other) { pairs.push_back(std::minmax(moving.places[k], held.places[other])); });
+    held.grid.each_meeting(box, std::numeric_limits<int>::min(),
+                           [&](int other) { pairs.push_back(std::minmax(moving.places[k], held.places[other])); });
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -95,8 +98,11 @@ std::vector<std::pair<int, int>> that_meet(const Model& model, const std::vector
 
 }  // namespace
 
-std::vector<std::pair<int, int>> NearBlocks::find(const Model& model, const std::vector<BlockState>& states, const std::vector<int>& blocks, double dt) {
-  const auto box_of = [&](int block, double time) { return swept_box(model, block, states[size_t(block)].velocity, time); };
+std::vector<std::pair<int, int>> NearBlocks::find(const Model& model, const std::vector<BlockState>& states,
+                                                  const std::vector<int>& blocks, double dt) {
+  const auto box_of = [&](int block, double time) {
+    return swept_box(model, block, states[size_t(block)].velocity, time);
+  };
   std::vector<Box> boxes;
   boxes.reserve(blocks.size());
   for (const int b : blocks) boxes.push_back(box_of(b, dt));
@@ -105,7 +111,8 @@ std::vector<std::pair<int, int>> NearBlocks::find(const Model& model, const std:
   if (!within) {
     blocks_ = blocks;
     wide_.clear();
-    for (const int b : blocks) wide_.push_back(box_of(b, steps_ahead * dt).grown(wider * model.shapes[size_t(b)].length));
+    for (const int b : blocks)
+      wide_.push_back(box_of(b, steps_ahead * dt).grown(wider * model.shapes[size_t(b)].length));
     pairs_ = that_meet(model, blocks, wide_);
   }
   std::vector<std::pair<int, int>> near;

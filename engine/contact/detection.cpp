@@ -22,7 +22,8 @@ namespace {
 constexpr double shorter = 0.99;  // part of the last step: the same but for rounding
 
 std::span<const Vec2> reference_outline(const Model& model, int block) {
-  return std::span(model.reference_vertex).subspan(size_t(model.shapes[size_t(block)].vertex_begin), size_t(model.vertex_count(block)));
+  return std::span(model.reference_vertex)
+      .subspan(size_t(model.shapes[size_t(block)].vertex_begin), size_t(model.vertex_count(block)));
 }
 
 bool convex(std::span<const Vec2> corners) {
@@ -42,7 +43,8 @@ void bond_corners(const Model& model, std::unordered_set<std::int64_t>& bonded) 
   for (size_t n = 0; n + 1 < nodes.begin.size(); ++n) {
     const int* blocks = &nodes.blocks[nodes.begin[n]];
     const int count = nodes.begin[n + 1] - nodes.begin[n];
-    find_groups(count, [&](int k, int m) { return by_edge.contains(pair_key(blocks[k], blocks[m])); }, group);
+    find_groups(
+        count, [&](int k, int m) { return by_edge.contains(pair_key(blocks[k], blocks[m])); }, group);
     for (int k = 0; k < count; ++k)
       for (int m = 0; m < k; ++m)
         if (group[k] == group[m]) bonded.insert(pair_key(blocks[k], blocks[m]));
@@ -87,10 +89,13 @@ void ContactSearch::find_surface(const Model& model) {
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
     const bool holds = joint.state == JointState::intact;
-    for (const int face : {model.shapes[joint.a].vertex_begin + joint.edge_a, model.shapes[joint.b].vertex_begin + joint.edge_b})
+    for (const int face :
+         {model.shapes[joint.a].vertex_begin + joint.edge_a, model.shapes[joint.b].vertex_begin + joint.edge_b})
       for (int side = 0; side < joint.sides; ++side) {
-        if (holds) surface_.free_edge[size_t(face + side)] = 0;
-        else surface_.joint[size_t(face + side)] = int(j);
+        if (holds)
+          surface_.free_edge[size_t(face + side)] = 0;
+        else
+          surface_.joint[size_t(face + side)] = int(j);
       }
     if (holds) surface_.bonded.insert(pair_key(joint.a, joint.b));
   }
@@ -101,7 +106,8 @@ void ContactSearch::find_surface(const Model& model) {
   surface_.whole.clear();
   least_length_ = std::numeric_limits<double>::infinity();
   for (size_t b = 0; b < model.shapes.size(); ++b) {
-    const auto edges = std::span(surface_.free_edge).subspan(size_t(model.shapes[b].vertex_begin), size_t(model.vertex_count(int(b))));
+    const auto edges =
+        std::span(surface_.free_edge).subspan(size_t(model.shapes[b].vertex_begin), size_t(model.vertex_count(int(b))));
     const auto free = std::count(edges.begin(), edges.end(), 1);
     if (free > 0) surface_blocks_.push_back(int(b));
     if (first) {
@@ -114,7 +120,8 @@ void ContactSearch::find_surface(const Model& model) {
   }
 }
 
-// Where a block ends in a bond, the outline goes on along the block beyond it, and so on round the corner to a free edge.
+// Where a block ends in a bond, the outline goes on along the block beyond it, and so on round the corner to a free
+// edge.
 void ContactSearch::find_outlines(const Model& model) {
   std::unordered_map<int, OutlineEdge> beyond;  // by global edge
   for (const Joint& joint : model.joints) {
@@ -147,7 +154,8 @@ void ContactSearch::find_outlines(const Model& model) {
     }
 }
 
-// Whether the last search found all there is: nothing moves, and places and step are the same to the last bit, and the same blocks sleep.
+// Whether the last search found all there is: nothing moves, and places and step are the same to the last bit, and the
+// same blocks sleep.
 bool ContactSearch::unmoved(const Model& model, double dt) {
   if (std::ranges::any_of(model.awake_blocks(), [&model](int b) { return !stands_still(model, b); })) {
     forget_last();
@@ -184,7 +192,8 @@ std::vector<int> ContactSearch::awake(const Model& model) const {
   return awake;
 }
 
-std::vector<std::pair<int, int>> ContactSearch::near(const Model& model, const std::vector<BlockState>& states, double dt) const {
+std::vector<std::pair<int, int>> ContactSearch::near(const Model& model, const std::vector<BlockState>& states,
+                                                     double dt) const {
   return NearBlocks().find(model, states, awake(model), dt);
 }
 

@@ -12,14 +12,16 @@ namespace {
 
 OutlineCorner corner_of(const Outline& outline, int vertex) {
   const Vec2 ahead = outline.ahead(vertex), behind = outline.behind(vertex);
-  return {ahead.normalized(), behind.normalized(), outline.turn(vertex), std::sqrt(std::min(ahead.squaredNorm(), behind.squaredNorm()))};
+  return {ahead.normalized(), behind.normalized(), outline.turn(vertex),
+          std::sqrt(std::min(ahead.squaredNorm(), behind.squaredNorm()))};
 }
 
 Pressing pressing_of(const Model& model, int block) {
   if (model.shapes[size_t(block)].dofs <= rigid_dofs) return {};
   const BlockState& state = model.blocks[size_t(block)];
   const Vec3 s = elasticity(model.material(block)) * state.strain;
-  return {turn_stress(Rotation::of(state.angle), s), (std::abs(s[0] + s[1]) + std::sqrt((s[0] - s[1]) * (s[0] - s[1]) + 4 * s[2] * s[2])) / 2};
+  return {turn_stress(Rotation::of(state.angle), s),
+          (std::abs(s[0] + s[1]) + std::sqrt((s[0] - s[1]) * (s[0] - s[1]) + 4 * s[2] * s[2])) / 2};
 }
 
 }  // namespace
@@ -46,7 +48,8 @@ void Faces::find(const Model& model, const Surface& surface, int block) {
   const Outline outline(model, surface);
   const int begin = model.shapes[size_t(block)].vertex_begin;
   for (int e = 0; e < model.vertex_count(block); ++e) {
-    const Vec2 from = model.vertex[size_t(begin + e)], span = model.vertex[size_t(begin + model.next_vertex(block, e))] - from;
+    const Vec2 from = model.vertex[size_t(begin + e)],
+               span = model.vertex[size_t(begin + model.next_vertex(block, e))] - from;
     const double length = span.norm();
     const Vec2 along = span / length;
     faces_[size_t(begin + e)] = {from, along, -perp(along), length};

@@ -1,5 +1,6 @@
 #pragma once
-// Edges and corners of blocks as what others come up against, and what they press back with, found once for all pairs of a search.
+// Edges and corners of blocks as what others come up against, and what they press back with, found once for all pairs
+// of a search.
 #include <utility>
 #include <vector>
 

@@ -21,12 +21,15 @@ namespace {
 EdgeFoot foot_of(const Model& model, const Contact& c) {
   const Vec2& at = model.vertex[c.global_vertex];
   if (model.curved(c.j)) return model.curved_edge(c.j, c.edge).foot(at);
-  return straight_foot(model.vertex[c.global_edge], model.vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)], at);
+  return straight_foot(model.vertex[c.global_edge],
+                       model.vertex[model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge)], at);
 }
 
 }  // namespace
 
-Vec2 edge_normal(const Model& model, const Contact& c) { return foot_of(model, c).normal; }
+Vec2 edge_normal(const Model& model, const Contact& c) {
+  return foot_of(model, c).normal;
+}
 
 namespace {
 
@@ -63,9 +66,10 @@ bool follows(const Model& model, const Contact& c, const Contact& old) {
   return edge_normal(model, old).dot(edge_normal(model, c)) * (swapped ? -1 : 1) > 0.999;
 }
 
-// What each of the contacts that begin takes over, or null. One that ended is taken over once: where a face has slid past the end of another and both
-// the corner there and the face next to it are met now, by the longer of the two.
-std::vector<const Contact*> predecessors(const Model& model, const std::vector<Contact*>& fresh, const std::vector<const Contact*>& ended) {
+// What each of the contacts that begin takes over, or null. One that ended is taken over once: where a face has slid
+// past the end of another and both the corner there and the face next to it are met now, by the longer of the two.
+std::vector<const Contact*> predecessors(const Model& model, const std::vector<Contact*>& fresh,
+                                         const std::vector<const Contact*>& ended) {
   std::unordered_map<std::int64_t, std::vector<const Contact*>> at;  // by vertex, and by pair of blocks
   for (const Contact* old : ended) {
     at[-1 - old->global_vertex].push_back(old);
@@ -82,7 +86,8 @@ std::vector<const Contact*> predecessors(const Model& model, const std::vector<C
       if (const auto found = at.find(key); found != at.end())
         for (const Contact* old : found->second) {
           const bool same_vertex = key < 0;
-          if (same_vertex != (old->global_vertex == fresh[k]->global_vertex) || !follows(model, *fresh[k], *old)) continue;
+          if (same_vertex != (old->global_vertex == fresh[k]->global_vertex) || !follows(model, *fresh[k], *old))
+            continue;
           claims.push_back({k, old, same_vertex});
         }
   std::stable_sort(claims.begin(), claims.end(), [&](const Claim& a, const Claim& b) {
@@ -100,25 +105,28 @@ std::vector<const Contact*> predecessors(const Model& model, const std::vector<C
 double depth_ahead(const Model& model, const Contact& c, double dt) {
   const double shift = judged_ahead(model.scene.numerics, dt);
   const EdgeFoot on = foot_of(model, c);
-  const Vec2 apart = model.corner_velocity(c.i, c.vertex) - model.rising(c.i) - model.velocity_on_edge(c.j, c.edge, on.foot) + model.rising(c.j);
+  const Vec2 apart = model.corner_velocity(c.i, c.vertex) - model.rising(c.i) -
+                     model.velocity_on_edge(c.j, c.edge, on.foot) + model.rising(c.j);
   return -(on.gap + c.offset) - shift * on.normal.dot(apart);
 }
 
-// Met already overlapping, or touching and so fast that y overlaps: not a load (docs/theory.md). What is still apart may
-// well overlap in y: that is a hit, but where a bond has just failed, whose body met there by another corner.
+// Met already overlapping, or touching and so fast that y overlaps: not a load (docs/theory.md). What is still apart
+// may well overlap in y: that is a hit, but where a bond has just failed, whose body met there by another corner.
 double born_with(const Model& model, const Contact& c, double dt, bool cracked) {
   if (!cracked && c.gap > meeting_distance(model, c.i, c.j)) return 0;
   return std::max({0.0, -c.gap, depth_ahead(model, c, dt)});
 }
 
-// m, that an even pressure on its face has it bear: as its spring, which along an edge that bends is by Simpson's rule (theory, § 1).
+// m, that an even pressure on its face has it bear: as its spring, which along an edge that bends is by Simpson's rule
+// (theory, § 1).
 double share(const Model& model, const Contact& c) {
   const JointProperty& property = model.scene.properties[size_t(c.property)];
   if (property.stiffness_kind == StiffnessKind::per_contact) return c.length;
   return std::min(c.normal_stiffness / model.stiffness_per_area(property, c.i, c.j), 4.0 / 3 * c.length);
 }
 
-// A bond that has just failed leaves to the faces what they can carry of its traction. Else they would first have to move into each other, and what the rock was pressed together with would shake it.
+// A bond that has just failed leaves to the faces what they can carry of its traction. Else they would first have to
+// move into each other, and what the rock was pressed together with would shake it.
 void take_over(const Model& model, Contact& c) {
   const BondTraction bond = mean_traction(model.joints[c.joint]), t = taken_over(bond, model.contact_strength(c));
   if (t.normal >= 0) return;
@@ -130,11 +138,14 @@ void take_over(const Model& model, Contact& c) {
   c.state = t.shear == bond.shear ? ContactState::stick : ContactState::slip;
 }
 
-// A corner that slides from the face of one block on to that of the next, which stands out a little farther, is not pressed by that step, which
-// it could not have climbed: its height is the contact's offset, until it has climbed or a step leads down again. Where the faces meet in an edge there is none,
-// and the way along them bends. Returns how much farther, m.
+// A corner that slides from the face of one block on to that of the next, which stands out a little farther, is not
+// pressed by that step, which it could not have climbed: its height is the contact's offset, until it has climbed or a
+// step leads down again. Where the faces meet in an edge there is none, and the way along them bends. Returns how much
+// farther, m.
 double step_over(const Model& model, const Contact& old, Contact& c) {
-  const auto corner = [&](const Contact& of, int k) { return model.vertex[size_t(model.shapes[size_t(of.j)].vertex_begin + k)]; };
+  const auto corner = [&](const Contact& of, int k) {
+    return model.vertex[size_t(model.shapes[size_t(of.j)].vertex_begin + k)];
+  };
   const Vec2 from = corner(old, old.edge), to = corner(old, model.next_vertex(old.j, old.edge));
   const std::array ends{corner(c, c.edge), corner(c, model.next_vertex(c.j, c.edge))};
   const bool first = distance_to_segment(from, to, ends[0]) < distance_to_segment(from, to, ends[1]);
@@ -147,7 +158,9 @@ double step_over(const Model& model, const Contact& old, Contact& c) {
 
 }  // namespace
 
-double gap_now(const Model& model, const Contact& c) { return foot_of(model, c).gap; }
+double gap_now(const Model& model, const Contact& c) {
+  return foot_of(model, c).gap;
+}
 
 double carry_over(const Model& model, double dt, bool cracked, std::vector<Contact>& now) {
   std::vector<Contact*> fresh;
@@ -190,7 +203,8 @@ double carry_over(const Model& model, double dt, bool cracked, std::vector<Conta
       if (old->i == c->j) c->offset += std::max(0.0, deeper);
       if (old->global_vertex == c->global_vertex) {
         const double up = old->j != c->j ? step_over(model, *old, *c) : 0;
-        if (dt > 0) c->offset += std::max(0.0, deeper - up);  // by which the face bends up: in motion its height is no load either
+        // by which the face bends up: in motion its height is no load either
+        if (dt > 0) c->offset += std::max(0.0, deeper - up);
       }
       c->height = std::clamp(c->height + c->offset - pressed, 0.0, std::max(0.0, c->offset));
       c->deeper = deeper + old->offset - c->offset;
@@ -206,9 +220,9 @@ double carry_over(const Model& model, double dt, bool cracked, std::vector<Conta
   return stored;
 }
 
-// After a hit X lies deeper than y, by Δt/4 times the speed of the rebound; a step shorter than the last would find that
-// depth as a load that nothing paid for. It is kept as an offset, which goes as the bodies part: nothing presses more at
-// the start of a step than at the end of the last.
+// After a hit X lies deeper than y, by Δt/4 times the speed of the rebound; a step shorter than the last would find
+// that depth as a load that nothing paid for. It is kept as an offset, which goes as the bodies part: nothing presses
+// more at the start of a step than at the end of the last.
 void forgive_depth(Model& model, double dt) {
   for (Contact& c : model.awake_contacts()) {
     if (stands_still(model, c.i) && stands_still(model, c.j)) continue;  // X is y
@@ -218,8 +232,9 @@ void forgive_depth(Model& model, double dt) {
   }
 }
 
-// What rests lies as its force says: that has all its digits. In small and stiff blocks it is pressed in by less than places are rounded to: the
-// gap, off by the rounding of the places now and of those that the force is of, would be a load that nothing bears.
+// What rests lies as its force says: that has all its digits. In small and stiff blocks it is pressed in by less than
+// places are rounded to: the gap, off by the rounding of the places now and of those that the force is of, would be a
+// load that nothing bears.
 void lie_as_pressed(Model& model, double dt) {
   const auto rests = [&](int block, double rounding) {
     const auto& v = model.blocks[block].velocity;

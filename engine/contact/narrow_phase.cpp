@@ -23,22 +23,28 @@ struct Candidate {
 
 enum class End { first, last };
 
-// Place along an edge of a vertex that is at `s` now and goes `way`: where it comes to the edge's line from outside, if it does.
+// Place along an edge of a vertex that is at `s` now and goes `way`: where it comes to the edge's line from outside, if
+// it does.
 double place_met(const Face& edge, double gap, double s, const Vec2& way) {
   const double ahead = gap + edge.normal.dot(way);
   return gap > 0 && ahead < 0 ? s + edge.along.dot(way) * gap / (gap - ahead) : s;
 }
 
-// Where a vertex is inside two sides that share a convex corner it rests on the one it entered last; where these are parts of one side, on one of them, be it next to
-// its end: the one that its own side lies on, as of a joint, and if that does on both, the one that it was on before.
+// Where a vertex is inside two sides that share a convex corner it rests on the one it entered last; where these are
+// parts of one side, on one of them, be it next to its end: the one that its own side lies on, as of a joint, and if
+// that does on both, the one that it was on before.
 void drop_deeper(const NearPair& pair, int vertex_block, int vertex, int block, std::vector<Candidate>& candidates) {
   if (candidates.size() < 2) {
     std::erase_if(candidates, [](const Candidate& c) { return !c.on; });
     return;
   }
-  const auto lies = [&](const Candidate& c) { return pair.overlap(vertex_block, vertex, pair.edge(block, c.edge), 0, 0) > pair.meeting(); };
+  const auto lies = [&](const Candidate& c) {
+    return pair.overlap(vertex_block, vertex, pair.edge(block, c.edge), 0, 0) > pair.meeting();
+  };
   const auto loaded = [&](const Candidate& c) { return pair.loaded_before(vertex_block, vertex, block, c.edge); };
-  const auto shallower = [](const Candidate& a, const Candidate& b) { return a.gap > b.gap || (a.gap == b.gap && a.edge < b.edge); };
+  const auto shallower = [](const Candidate& a, const Candidate& b) {
+    return a.gap > b.gap || (a.gap == b.gap && a.edge < b.edge);
+  };
   const auto better = [&](const Candidate& a, const Candidate& b) {
     if (lies(a) != lies(b)) return lies(a);
     if (loaded(a) != loaded(b)) return loaded(a);
@@ -84,13 +90,15 @@ void vertices_on_edges(const NearPair& pair, const Model& model, int bv, int be,
       }
       const auto still_on = [&] {
         const double turned = 2 * pair.aslant(bv, v, edge.normal) * -gap;
-        return pair.within(be, e, s, edge.length, pair.slack(edge.length, -gap) + turned) && pair.loaded_before(bv, v, be, e);
+        return pair.within(be, e, s, edge.length, pair.slack(edge.length, -gap) + turned) &&
+               pair.loaded_before(bv, v, be, e);
       };
       const bool on = pair.within(be, e, s, edge.length) || (gap < 0 && still_on());
       if (!on && (!pair.flush(edge.normal, gap) || !pair.within(be, e, s, edge.length, pair.meeting()))) continue;
       if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) continue;
       if ((gap > 0 || pair.flush(edge.normal, gap)) && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
-      if (pair.can_rest(bv, v, edge.normal) || (gap > 0 && pair.will_rest(bv, v, edge.normal))) candidates.push_back({e, gap, on});
+      if (pair.can_rest(bv, v, edge.normal) || (gap > 0 && pair.will_rest(bv, v, edge.normal)))
+        candidates.push_back({e, gap, on});
     }
     drop_deeper(pair, bv, v, be, candidates);
     for (const Candidate& c : candidates) found.push_back(pair.contact(bv, v, be, c.edge, c.gap, false));
@@ -106,10 +114,10 @@ struct Choice {
   bool left;           // the corner is past the edge's end, and goes away from it: it cannot come to press there
 };
 
-// Of lines that separate two corners, the one that is penetrated last: what keeps them apart from now on the longest, or one that does
-// before that ends, and to the end.
-// `noise`: m, of places. What differs by that alone, as a corner on a face and the other corner on a face that is parallel to it, goes by the order
-// of the choices, and so in a mirrored scene as in the scene.
+// Of lines that separate two corners, the one that is penetrated last: what keeps them apart from now on the longest,
+// or one that does before that ends, and to the end. `noise`: m, of places. What differs by that alone, as a corner on
+// a face and the other corner on a face that is parallel to it, goes by the order of the choices, and so in a mirrored
+// scene as in the scene.
 Choice penetrated_last(std::vector<Choice>& choices, double rounding, double noise) {
   const auto farther = [&](const Choice& a, const Choice& b) {
     if (std::abs(a.ahead - b.ahead) > rounding) return a.ahead < b.ahead;
@@ -135,7 +143,8 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
   const double distance = (pair.vertex(i, v) - pair.vertex(j, w)).norm();
   if (distance > pair.reach()) return;
   if (pair.inner(i, v) || pair.inner(j, w)) return;  // two faces, each met by itself
-  const int w0 = pair.previous(j, w), v0 = pair.previous(i, v);  // edges before the corners; those after bear its number
+  // edges before the corners; those after bear its number
+  const int w0 = pair.previous(j, w), v0 = pair.previous(i, v);
   if (distance <= pair.meeting()) meeting.push_back({i, pair.global(i, v), j, pair.global(j, w)});
   if (pair.valley(i, v) || pair.valley(j, w) || pair.straight(i, v) || pair.straight(j, w)) return;
   const auto is_here = [&](const Contact& c) {
@@ -146,7 +155,9 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
     if (is_here(found[c]) && found[c].kind == ContactKind::edge_edge) return;
   std::vector<Choice> choices;
   // Keeps above the face, and farther than what passes flush with it.
-  const auto clear = [&](const Face& face, double gap, double ahead) { return std::min(gap, ahead) > 0 && !pair.flush(face.normal, std::min(gap, ahead)); };
+  const auto clear = [&](const Face& face, double gap, double ahead) {
+    return std::min(gap, ahead) > 0 && !pair.flush(face.normal, std::min(gap, ahead));
+  };
   // `end`: of the edge, at which the corners are to meet.
   const auto consider = [&](int bv, int vertex, int be, int e, End end) {
     if (!pair.free(be, e)) return;
@@ -155,16 +166,19 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
     const Vec2 p = pair.vertex(bv, vertex), way = pair.way(bv, vertex, be);
     const double gap = edge.gap(p), ahead = gap + edge.normal.dot(way), s = edge.position(p);
     if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) return;
-    if (!clear(edge, gap, ahead) && (gap > 0 || pair.flush(edge.normal, gap)) && pair.passes_flush(bv, vertex, be, e, s, edge.length)) return;
-    // Where it comes to the line there is no edge: nothing is met there, and nothing kept apart. Beyond the other end that is for
-    // the corner there to say.
+    if (!clear(edge, gap, ahead) && (gap > 0 || pair.flush(edge.normal, gap)) &&
+        pair.passes_flush(bv, vertex, be, e, s, edge.length))
+      return;
+    // Where it comes to the line there is no edge: nothing is met there, and nothing kept apart. Beyond the other end
+    // that is for the corner there to say.
     const double met = place_met(edge, gap, s, way), past = end == End::first ? -met : met - edge.length;
     const double back = edge.along.dot(way) * (end == End::first ? 1 : -1);
     const auto comes_on = [&] { return past < back && pair.slides_on(bv, vertex, be, e); };
     if (ahead < 0 && past > pair.beside() && !comes_on()) return;
     if (ahead < 0 && past < -edge.length && !pair.within(be, e, met, edge.length)) return;
     const double apart = std::max(0.0, gap - pair.meeting()), until = ahead < 0 ? apart / (apart - ahead) : 2;
-    choices.push_back({bv, vertex, be, e, gap, ahead, 0, until, std::max({0.0, -s, s - edge.length}), past > pair.beside() && back < 0});
+    choices.push_back({bv, vertex, be, e, gap, ahead, 0, until, std::max({0.0, -s, s - edge.length}),
+                       past > pair.beside() && back < 0});
   };
   consider(i, v, j, w, End::first);
   consider(i, v, j, w0, End::last);
@@ -173,7 +187,8 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
   found.erase(std::remove_if(found.begin() + long(first), found.end(), is_here), found.end());
   if (choices.empty()) return;
   const auto flush = [&](const Choice& c) { return pair.slides_on(c.block_v, c.vertex, c.block_e, c.edge); };
-  // Flush with a side that ends before the corner comes by, as it goes off a step down past it, is not what keeps it apart.
+  // Flush with a side that ends before the corner comes by, as it goes off a step down past it, is not what keeps it
+  // apart.
   const auto parts = [&](const Choice& c) { return !flush(c) && clear(pair.edge(c.block_e, c.edge), c.gap, c.ahead); };
   if (std::any_of(choices.begin(), choices.end(), flush) && std::none_of(choices.begin(), choices.end(), parts)) {
     std::erase_if(choices, [&](const Choice& c) { return !flush(c); });
@@ -194,23 +209,27 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
   found.push_back(pair.contact(best.block_v, best.vertex, best.block_e, best.edge, best.gap, true));
 }
 
-// Corners that coincide along a face, however deep they press, give the same contact twice, once from each block: the second is
-// dropped, or the one that was not loaded before. Else the two would share a load, half of which is lost where one of them goes; and where they took turns,
-// as shear moves from the one corner to the other by how deep they press, there would be no equilibrium. Where a side goes straight on, that is no corner
-// to come off at: then they need not be as near, and a corner is kept before it.
+// Corners that coincide along a face, however deep they press, give the same contact twice, once from each block: the
+// second is dropped, or the one that was not loaded before. Else the two would share a load, half of which is lost
+// where one of them goes; and where they took turns, as shear moves from the one corner to the other by how deep they
+// press, there would be no equilibrium. Where a side goes straight on, that is no corner to come off at: then they need
+// not be as near, and a corner is kept before it.
 void drop_twins(const NearPair& pair, size_t first, std::vector<Contact>& found) {
   const auto turns = [&pair](const Contact& c) { return !pair.straight(c.i, c.vertex); };
   const auto loaded = [&pair](const Contact& c) {  // also on the next part of a side that goes straight on
     const auto on = [&](int e) { return pair.loaded_before(c.i, c.vertex, c.j, e); };
     const int end = pair.next(c.j, c.edge);
-    return on(c.edge) || (pair.straight(c.j, c.edge) && on(pair.previous(c.j, c.edge))) || (pair.straight(c.j, end) && on(end));
+    return on(c.edge) || (pair.straight(c.j, c.edge) && on(pair.previous(c.j, c.edge))) ||
+           (pair.straight(c.j, end) && on(end));
   };
   const auto twins = [&](const Contact& a, const Contact& b) {
     if (b.i != a.j) return false;
     const Face &face = pair.edge(a.j, a.edge), &facing = pair.edge(b.j, b.edge);
     const Vec2 apart = pair.vertex(b.i, b.vertex) - pair.vertex(a.i, a.vertex);
     const double deep = std::abs(face.normal.dot(apart)), aslant = std::abs(cross(face.along, facing.along));
-    const double near = turns(a) && turns(b) ? 2 * pair.slack(std::max(face.length, facing.length), deep) + aslant * deep : pair.meeting();
+    const double near = turns(a) && turns(b)
+                            ? 2 * pair.slack(std::max(face.length, facing.length), deep) + aslant * deep
+                            : pair.meeting();
     return std::abs(face.along.dot(apart)) <= near && deep <= -pair.deepest() && face.normal.dot(facing.normal) < -0.99;
   };
   for (size_t c = first; c < found.size(); ++c)
@@ -219,25 +238,32 @@ void drop_twins(const NearPair& pair, size_t first, std::vector<Contact>& found)
         ++other;
         continue;
       }
-      const bool later = turns(found[c]) == turns(found[other]) ? loaded(found[other]) && !loaded(found[c]) : turns(found[other]);
+      const bool later =
+          turns(found[c]) == turns(found[other]) ? loaded(found[other]) && !loaded(found[c]) : turns(found[other]);
       if (later) found[c] = found[other];
       found.erase(found.begin() + long(other));
     }
 }
 
-// Where blocks lie in each other and none of these contacts is as deep, as with thin tips that have gone through each other, they stand by the
-// face that is to be left by the shortest way.
+// Where blocks lie in each other and none of these contacts is as deep, as with thin tips that have gone through each
+// other, they stand by the face that is to be left by the shortest way.
 void least_deep(const NearPair& pair, const Model& model, size_t first, std::vector<Contact>& found) {
   const std::array blocks{pair.i(), pair.j()}, corners{model.vertex_count(blocks[0]), model.vertex_count(blocks[1])};
   for (const int block : blocks)
-    if (model.dented(block, std::span(model.vertex).subspan(size_t(model.shapes[size_t(block)].vertex_begin), size_t(model.vertex_count(block))))) return;
+    if (model.dented(block,
+                     std::span(model.vertex)
+                         .subspan(size_t(model.shapes[size_t(block)].vertex_begin), size_t(model.vertex_count(block)))))
+      return;
   const std::array parts{pair.parts_of(blocks[0]), pair.parts_of(blocks[1])};
-  const auto out = parts[0] || parts[1] ? way_out(parts, corners, pair.meeting(), [&](int of, int corner) { return pair.vertex(blocks[size_t(of)], corner); })
-                                        : way_out(corners, pair.meeting(), [&](int of, int face, int corner) {
-                                            return pair.edge(blocks[size_t(of)], face).gap(pair.vertex(blocks[size_t(1 - of)], corner));
-                                          });
+  const auto out = parts[0] || parts[1]
+                       ? way_out(parts, corners, pair.meeting(),
+                                 [&](int of, int corner) { return pair.vertex(blocks[size_t(of)], corner); })
+                       : way_out(corners, pair.meeting(), [&](int of, int face, int corner) {
+                           return pair.edge(blocks[size_t(of)], face).gap(pair.vertex(blocks[size_t(1 - of)], corner));
+                         });
   if (!out) return;
-  const double rise = std::max(model.largest_rise(blocks[0], model.blocks[blocks[0]]), model.largest_rise(blocks[1], model.blocks[blocks[1]]));
+  const double rise = std::max(model.largest_rise(blocks[0], model.blocks[blocks[0]]),
+                               model.largest_rise(blocks[1], model.blocks[blocks[1]]));
   const auto knows = [&](const Contact& c) { return c.gap - rise <= known_part * out->gap; };
   if (std::any_of(found.begin() + long(first), found.end(), knows)) return;
   const int bv = blocks[size_t(1 - out->of)], be = blocks[size_t(out->of)];
@@ -247,8 +273,8 @@ void least_deep(const NearPair& pair, const Model& model, size_t first, std::vec
 
 }  // namespace
 
-void find_contacts(const Model& model, const Surface& surface, const Faces& faces, int a, int b, double dt, std::vector<Contact>& found,
-                   std::vector<MeetingCorners>& meeting) {
+void find_contacts(const Model& model, const Surface& surface, const Faces& faces, int a, int b, double dt,
+                   std::vector<Contact>& found, std::vector<MeetingCorners>& meeting) {
   const auto rim = [&](int k) { return std::abs(block_spin(model, k)) * model.shapes[k].radius; };
   const Vec2 approach(model.blocks[a].velocity[0] - model.blocks[b].velocity[0],
                       model.blocks[a].velocity[1] - model.blocks[b].velocity[1]);
@@ -259,8 +285,8 @@ void find_contacts(const Model& model, const Surface& surface, const Faces& face
   vertices_on_edges(pair, model, b, a, found);
   for (int v = 0; v < model.vertex_count(a); ++v)
     if (pair.exposed(a, v))
-    for (int w = 0; w < model.vertex_count(b); ++w)
-      if (pair.exposed(b, w)) corner_on_corner(pair, v, w, first, found, meeting);
+      for (int w = 0; w < model.vertex_count(b); ++w)
+        if (pair.exposed(b, w)) corner_on_corner(pair, v, w, first, found, meeting);
   drop_twins(pair, first, found);
   least_deep(pair, model, first, found);
 }

@@ -16,8 +16,8 @@ struct MeetingCorners {
 // Kinds: edge_edge where an edge of the vertex lies along the other block's edge within parallel_angle;
 // angle_edge; angle_angle where two corners meet (one contact, on the edge that is penetrated last: the
 // entrance line of Shi 1988).
-void find_contacts(const Model& model, const Surface& surface, const Faces& faces, int a, int b, double dt, std::vector<Contact>& found,
-                   std::vector<MeetingCorners>& meeting);
+void find_contacts(const Model& model, const Surface& surface, const Faces& faces, int a, int b, double dt,
+                   std::vector<Contact>& found, std::vector<MeetingCorners>& meeting);
 
 // Corners nearer than this are in one place, m.
 double meeting_distance(const Model& model, int a, int b);

@@ -1,7 +1,7 @@
 #pragma once
-// Two blocks that come near each other in a step: their corners, edges and the outlines of their bodies, as the narrow phase asks for them.
+// Two blocks that come near each other in a step: their corners, edges and the outlines of their bodies, as the narrow
+// phase asks for them.
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,15 +16,19 @@ namespace talus {
 constexpr double corner_part = 1e-9;
 // Corners within this part of the smaller block's √area are in one place: a node of a mesh that has been shaken.
 constexpr double meeting_part = 1e-3;
-// An edge–edge contact is as stiff as one of at least this part of the smaller block's √area: what touches with a hair's
-// breadth now and slides on must not stay as soft as a hair.
+// An edge–edge contact is as stiff as one of at least this part of the smaller block's √area: what touches with a
+// hair's breadth now and slides on must not stay as soft as a hair.
 constexpr double least_shared = 0.1;
 constexpr double closed_crack = 1e-4;  // rad: less than rock strains open a crack by at its tip
 constexpr double grazing_slope = 0.1;  // it moves along the face, not onto it
-// What comes to the line of an edge farther than this beyond the edge's ends passes it by, in units of the smaller block's √area.
+// What comes to the line of an edge farther than this beyond the edge's ends passes it by, in units of the smaller
+// block's √area.
 constexpr double beside_part = passing_tolerance;
 
-inline double block_spin(const Model& model, int block) { return model.blocks[size_t(block)].velocity[2] / model.shapes[size_t(block)].length; }  // rad/s
+// rad/s
+inline double block_spin(const Model& model, int block) {
+  return model.blocks[size_t(block)].velocity[2] / model.shapes[size_t(block)].length;
+}
 
 class NearPair {
  public:
@@ -60,18 +64,19 @@ class NearPair {
   // Or the block has no more than a corner where the outline of its body comes by.
   bool on_outline(int block, int v) const { return exposed(block, v) || free(arriving(block, v)); }
 
-  // The sides of the outline that leave and reach the corner `v` of `block`, and their directions away from it, of the whole body there: a node
-  // on the flat side of a mesh is no corner, though the block is.
+  // The sides of the outline that leave and reach the corner `v` of `block`, and their directions away from it, of the
+  // whole body there: a node on the flat side of a mesh is no corner, though the block is.
   const OutlineEdge& leaving(int block, int v) const { return surface_.leaving[size_t(global(block, v))]; }
   const OutlineEdge& arriving(int block, int v) const { return surface_.arriving[size_t(global(block, v))]; }
   const OutlineCorner& corner(int block, int v) const { return faces_.corner(global(block, v)); }
   int global(int block, int v) const { return model_.shapes[block].vertex_begin + v; }
 
-  // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both sides of the body lead away, and the body is on that side of them:
-  // sides in line lead away on either. In a valley they stand above it.
+  // Whether the corner `v` of `block` can rest on a face of outward normal `n`: both sides of the body lead away, and
+  // the body is on that side of them: sides in line lead away on either. In a valley they stand above it.
   bool can_rest(int block, int v, const Vec2& n) const {
     const Vec2 &a = corner(block, v).ahead, &b = corner(block, v).behind, out = perp(b - a);
-    return a.dot(n) >= -parallel_sine && b.dot(n) >= -parallel_sine && out.dot(n) <= parallel_sine * out.norm() && !valley(block, v);
+    return a.dot(n) >= -parallel_sine && b.dot(n) >= -parallel_sine && out.dot(n) <= parallel_sine * out.norm() &&
+           !valley(block, v);
   }
   // Or will, as the blocks turn: it is above the face now.
   bool will_rest(int block, int v, const Vec2& n) const {
@@ -97,7 +102,8 @@ class NearPair {
     if (property.stiffness_kind == StiffnessKind::per_contact) {
       c.normal_stiffness = property.stiffness;
     } else {
-      c.normal_stiffness = model_.stiffness_per_area(property, i_, j_) * (shared > 0 ? std::max(shared, least_shared * least_) : least_) / 2;
+      c.normal_stiffness = model_.stiffness_per_area(property, i_, j_) *
+                           (shared > 0 ? std::max(shared, least_shared * least_) : least_) / 2;
       if (shared > 0) c.normal_stiffness *= simpson(block_v, v, block_e, e, shared);
     }
     c.shear_stiffness = c.normal_stiffness * property.shear_ratio;
@@ -115,7 +121,8 @@ class NearPair {
   double noise(int v) const { return 32 * std::numeric_limits<double>::epsilon() * model_.size_of(vertex(i_, v)); }
   double beside() const { return beside_part * least_; }
   bool fast() const { return fast_; }
-  // Change of the place of corner `v` of `bv` on the block `be` until contacts are judged, at the present velocities, m.
+  // Change of the place of corner `v` of `bv` on the block `be` until contacts are judged, at the present velocities,
+  // m.
   Vec2 way(int bv, int v, int be) const {
     const Vec2 p = vertex(bv, v);
     return judged_ * (model_.velocity_at(bv, p) - model_.velocity_at(be, p));
@@ -126,32 +133,40 @@ class NearPair {
     const Vec2 p = vertex(bv, v);
     const Vec2 way = (model_.velocity_at(bv, p) - model_.velocity_at(be, p)) * dt_;
     const double approach = std::abs(face.normal.dot(way)), slide = std::abs(face.along.dot(way));
-    if (approach > std::max(flush_part * least_, grazing_slope * slide) || !flush(face.normal, face.gap(p))) return false;
+    if (approach > std::max(flush_part * least_, grazing_slope * slide) || !flush(face.normal, face.gap(p)))
+      return false;
     if (!can_rest(bv, v, face.normal)) return false;
     return lies_along(corner(bv, v).ahead, face.normal) || lies_along(corner(bv, v).behind, face.normal);
   }
 
-  // Whether corner `v` of `bv`, at the place `s` along edge `e` of `be`, passes its end flush with the face beyond it: at
-  // an outer corner. At an inner one that face is a wall, and the corner slides down it onto the edge; at none it lies on both.
+  // Whether corner `v` of `bv`, at the place `s` along edge `e` of `be`, passes its end flush with the face beyond it:
+  // at an outer corner. At an inner one that face is a wall, and the corner slides down it onto the edge; at none it
+  // lies on both.
   bool passes_flush(int bv, int v, int be, int e, double s, double length) const {
-    const auto on = [&](const OutlineEdge& beyond) {  // at the end of a crack that is the block's own side, or one that it is bonded to
-      return free(beyond) && beyond.block != bv && !together(bv, beyond.block) && slides_on(bv, v, beyond.block, beyond.edge);
+    // at the end of a crack that is the block's own side, or one that it is bonded to
+    const auto on = [&](const OutlineEdge& beyond) {
+      return free(beyond) && beyond.block != bv && !together(bv, beyond.block) &&
+             slides_on(bv, v, beyond.block, beyond.edge);
     };
     const auto ends = [&](double before_end) { return before_end <= 0 || flush(edge(be, e).along, before_end); };
-    return (ends(s) && on(arriving(be, e)) && outer(be, e)) || (ends(length - s) && on(leaving(be, next(be, e))) && outer(be, next(be, e)));
+    return (ends(s) && on(arriving(be, e)) && outer(be, e)) ||
+           (ends(length - s) && on(leaving(be, next(be, e))) && outer(be, next(be, e)));
   }
 
   static bool looks_away(const Face& far, const Face& face) { return far.normal.dot(face.normal) < -0.9; }
 
   bool loaded_before(std::int64_t key) const {  // Contact::key
     const std::span<const Contact> before = model_.awake_contacts();
-    const auto same = std::lower_bound(before.begin(), before.end(), key, [](const Contact& old, std::int64_t sought) { return old.key() < sought; });
+    const auto same = std::lower_bound(before.begin(), before.end(), key,
+                                       [](const Contact& old, std::int64_t sought) { return old.key() < sought; });
     return same != before.end() && same->key() == key && same->state != ContactState::open;
   }
-  bool loaded_before(int bv, int v, int be, int e) const { return loaded_before(Contact::key(global(bv, v), global(be, e))); }
+  bool loaded_before(int bv, int v, int be, int e) const {
+    return loaded_before(Contact::key(global(bv, v), global(be, e)));
+  }
 
-  // Whether a face of one block has all of the other so far in front of it that nothing meets. Of blocks as parts of bodies, and where corners
-  // are met on their way, that does not say so.
+  // Whether a face of one block has all of the other so far in front of it that nothing meets. Of blocks as parts of
+  // bodies, and where corners are met on their way, that does not say so.
   bool apart() const {
     if (fast() || !plain(i_) || !plain(j_)) return false;
     const auto before_a_face = [this](int block, int of) {
@@ -166,27 +181,39 @@ class NearPair {
     return before_a_face(i_, j_) || before_a_face(j_, i_);
   }
 
-  // m, from a face of `block` outwards: what is farther in front of one than this comes to none of them. What is on a face, or beyond its end by what counts as
-  // on it, is in front of no other face of a convex block by more than of that one and as much again.
-  double out_of_reach(int block) const { return fast() || !plain(block) ? std::numeric_limits<double>::infinity() : reach_ + slack(0, -deepest()) + meeting(); }
+  // m, from a face of `block` outwards: what is farther in front of one than this comes to none of them. What is on a
+  // face, or beyond its end by what counts as on it, is in front of no other face of a convex block by more than of
+  // that one and as much again.
+  double out_of_reach(int block) const {
+    return fast() || !plain(block) ? std::numeric_limits<double>::infinity()
+                                   : reach_ + slack(0, -deepest()) + meeting();
+  }
 
   bool plain(int block) const { return surface_.whole[size_t(block)] && surface_.convex[size_t(block)]; }
   bool together(int a, int b) const { return surface_.together(a, b); }
   const std::vector<ConvexPart>* parts_of(int block) const { return surface_.parts_of(block); }
 
-  // Whether the outline turns inwards at corner `v` of `block`; outwards. Inwards also by little, where what goes by would come to lie under the face beyond.
+  // Whether the outline turns inwards at corner `v` of `block`; outwards. Inwards also by little, where what goes by
+  // would come to lie under the face beyond.
   bool inner(int block, int v) const {
     const double turn = corner(block, v).turn;
-    return (turn < -parallel_sine || -turn * way_ > level_part * least_ || notch(block, v) || valley(block, v)) && !smooth(block, v);
+    return (turn < -parallel_sine || -turn * way_ > level_part * least_ || notch(block, v) || valley(block, v)) &&
+           !smooth(block, v);
   }
-  bool own(int block, int v) const { return leaving(block, v).block == block && arriving(block, v).block == block; }  // and no other of its body
-  bool notch(int block, int v) const { return own(block, v) && corner(block, v).turn < -closed_crack && corner(block, v).ahead.dot(corner(block, v).behind) > 0; }
-  // By however little, where it is more than what lies on its sides is pressed in. Of a block of its own: a body's sides bend as it deforms.
+  // and no other of its body
+  bool own(int block, int v) const { return leaving(block, v).block == block && arriving(block, v).block == block; }
+  bool notch(int block, int v) const {
+    return own(block, v) && corner(block, v).turn < -closed_crack &&
+           corner(block, v).ahead.dot(corner(block, v).behind) > 0;
+  }
+  // By however little, where it is more than what lies on its sides is pressed in. Of a block of its own: a body's
+  // sides bend as it deforms.
   bool valley(int block, int v) const {
     const OutlineCorner& at = corner(block, v);
     return at.turn < 0 && own(block, v) && -at.turn * at.shorter > level_part * least_ && !smooth(block, v);
   }
-  // Whether a side that bends goes on there, whatever the angle between its chords: of what is quadratic the parts of a straight side share their tangents.
+  // Whether a side that bends goes on there, whatever the angle between its chords: of what is quadratic the parts of a
+  // straight side share their tangents.
   bool smooth(int block, int v) const {
     if (!model_.curved(block)) return false;
     const auto at = [&](int local) { return model_.reference_vertex[size_t(global(block, local))]; };
@@ -196,7 +223,8 @@ class NearPair {
   // Whether a side of the block goes straight on there, as near as two faces count as along each other.
   bool straight(int block, int v) const {
     const OutlineCorner& at = corner(block, v);
-    return own(block, v) && (smooth(block, v) || (std::abs(at.turn) <= parallel_sine && at.ahead.dot(at.behind) < 0 && !valley(block, v)));
+    return own(block, v) && (smooth(block, v) ||
+                             (std::abs(at.turn) <= parallel_sine && at.ahead.dot(at.behind) < 0 && !valley(block, v)));
   }
   // Whether a side of the block turns outwards into the next at a corner, `e` part of the one and `f` of the other.
   bool turns_into(int block, int e, int f) const {
@@ -211,22 +239,26 @@ class NearPair {
   bool convex(int block, int v) const { return corner(block, v).turn > 0; }
 
   // Whether a corner at the place `s` along edge `e` of `be` is on it. At an inner corner the edge goes on under the
-  // wall, where a corner that presses on both is, and ends where the wall does: what falls past a thin one outside is not held by the floor inside.
+  // wall, where a corner that presses on both is, and ends where the wall does: what falls past a thin one outside is
+  // not held by the floor inside.
   bool within(int be, int e, double s, double length) const { return within(be, e, s, length, corner_part * length); }
   bool within(int be, int e, double s, double length, double slack) const {
     const auto in_wall = [&](int v, double beyond, const OutlineEdge& wall) {
-      return beyond < under_wall(be, v) && inner(be, v) && !behind(wall.block, wall.edge, edge(wall), edge(be, e).at(s));
+      return beyond < under_wall(be, v) && inner(be, v) &&
+             !behind(wall.block, wall.edge, edge(wall), edge(be, e).at(s));
     };
     if (s < -slack) return in_wall(e, -s, arriving(be, e));
     if (s > length + slack) return in_wall(next(be, e), s - length, leaving(be, next(be, e)));
     return true;
   }
-  // m, by which what presses `deep` may have come beyond the end of an edge and still be on it: shear that goes over from one of two corners that press on each other
-  // to the other moves them by the square of that.
+  // m, by which what presses `deep` may have come beyond the end of an edge and still be on it: shear that goes over
+  // from one of two corners that press on each other to the other moves them by the square of that.
   double slack(double length, double deep) const { return corner_part * length + deep * deep / least_; }
-  // Sine by which the side of corner `v` of `block` that lies along that normal's face is aslant to it; 0 where none does.
+  // Sine by which the side of corner `v` of `block` that lies along that normal's face is aslant to it; 0 where none
+  // does.
   double aslant(int block, int v, const Vec2& n) const {
-    const double a = std::abs(corner(block, v).ahead.dot(n)), b = std::abs(corner(block, v).behind.dot(n)), least = std::min(a, b);
+    const double a = std::abs(corner(block, v).ahead.dot(n)), b = std::abs(corner(block, v).behind.dot(n)),
+                 least = std::min(a, b);
     return least <= parallel_sine ? least : 0;
   }
   // m, of the sides at corner `v` that lies along a face, which goes on by so much at its ends.
@@ -238,17 +270,20 @@ class NearPair {
       const Vec2 q = vertex(block, other);
       if (std::abs(face.normal.dot(q - p)) > parallel_sine * (q - p).norm()) continue;
       const double along = on_face(q) - on_face(p);
-      if (std::abs(along) > corner_part * face.length) forwards = std::max(forwards, along), backwards = std::max(backwards, -along);
+      if (std::abs(along) > corner_part * face.length)
+        forwards = std::max(forwards, along), backwards = std::max(backwards, -along);
     }
     return forwards + backwards;
   }
-  // m, by which an edge goes on under the wall at an inner corner; what lies in a shallow one is out of both edges by the sine of its depth.
+  // m, by which an edge goes on under the wall at an inner corner; what lies in a shallow one is out of both edges by
+  // the sine of its depth.
   double under_wall(int block, int v) const {
     return corner(block, v).turn < -parallel_sine || notch(block, v) ? -deepest() : std::max(way_, meeting());
   }
 
-  // Whether the block `be` has another side between its face at `e` and a corner at `p` below it: what the corner is away from
-  // the face is no depth then. Also where the corner is on that side, if it looks away from the face; one that stands up from it ends there.
+  // Whether the block `be` has another side between its face at `e` and a corner at `p` below it: what the corner is
+  // away from the face is no depth then. Also where the corner is on that side, if it looks away from the face; one
+  // that stands up from it ends there.
   bool behind(int be, int e, const Face& face, const Vec2& p) const {
     const Vec2 foot = p - face.gap(p) * face.normal;
     const auto across_a_notch = [&](int f) {  // under the face the block goes on there
@@ -266,14 +301,17 @@ class NearPair {
   }
 
  private:
-  // The face of a trace keeps its property where blocks of its region slide on, past those that lay against it at first.
+  // The face of a trace keeps its property where blocks of its region slide on, past those that lay against it at
+  // first.
   int property_of(const Contact& c) const {
     if (c.joint >= 0) return model_.joints[c.joint].property;
     const int face = surface_.joint[c.global_edge];
-    const bool traced = face >= 0 && model_.joints[face].trace >= 0 && model_.shapes[c.i].region == model_.shapes[c.j].region;
+    const bool traced =
+        face >= 0 && model_.joints[face].trace >= 0 && model_.shapes[c.i].region == model_.shapes[c.j].region;
     return traced ? model_.joints[face].property : model_.contact_property(c.i, c.j);
   }
-  // The open joint one of whose sides is edge `e` of `of`, with one across it that ends in corner `v` of `block`; or -1.
+  // The open joint one of whose sides is edge `e` of `of`, with one across it that ends in corner `v` of `block`; or
+  // -1.
   int joint_between(int block, int v, int of, int e) const {
     const int j = surface_.joint[size_t(global(of, e))];
     if (j < 0) return -1;
@@ -284,26 +322,31 @@ class NearPair {
   }
   static bool lies_along(const Vec2& d, const Vec2& n) { return std::abs(d.dot(n)) <= parallel_sine; }  // unit vectors
 
-  // By how much the spring of a corner of a side that bends is stiffer than by its share of it: one of an even pressure is pressed in evenly where springs
-  // are as Simpson's weights, the work that such pressure does (theory, § 1). Sides have an even number of parts, and every other corner is the middle of two.
-  // Where all that lies along the corner's sides is the face, and has no corners there or the same ones; else by its share.
+  // By how much the spring of a corner of a side that bends is stiffer than by its share of it: one of an even pressure
+  // is pressed in evenly where springs are as Simpson's weights, the work that such pressure does (theory, § 1). Sides
+  // have an even number of parts, and every other corner is the middle of two. Where all that lies along the corner's
+  // sides is the face, and has no corners there or the same ones; else by its share.
   double simpson(int block_v, int v, int block_e, int e, double shared) const {
     if (!model_.curved(block_v)) return 1;
     double own = 0;
     for (const int side : {v, previous(block_v, v)})
-      if (std::abs(cross(edge(block_v, side).along, edge(block_e, e).along)) <= parallel_sine) own += edge(block_v, side).length;
+      if (std::abs(cross(edge(block_v, side).along, edge(block_e, e).along)) <= parallel_sine)
+        own += edge(block_v, side).length;
     if (std::abs(shared - own) > 2 * meeting()) return 1;
     const auto meets = [&](int w) { return (vertex(block_v, v) - vertex(block_e, w)).norm() <= 2 * meeting(); };
-    if (model_.curved(block_e) && !(meets(e) && v % 2 == e % 2) && !(meets(next(block_e, e)) && v % 2 == next(block_e, e) % 2)) return 1;
+    if (model_.curved(block_e) && !(meets(e) && v % 2 == e % 2) &&
+        !(meets(next(block_e, e)) && v % 2 == next(block_e, e) % 2))
+      return 1;
     return v % 2 == 0 ? 2.0 / 3 : 4.0 / 3;
   }
-  // m, of the edges at corner `v` that lies along `e`, or 0; at an end where that goes straight on, along what it goes on in too. Halves of the shares of all
-  // corners on a face add up to it, as weights of the trapezoidal rule.
+  // m, of the edges at corner `v` that lies along `e`, or 0; at an end where that goes straight on, along what it goes
+  // on in too. Halves of the shares of all corners on a face add up to it, as weights of the trapezoidal rule.
   double shared_length(int block, int v, int be, int e) const {
     const Face& face = edge(be, e);
     const double at = face.position(vertex(block, v));
     const double before = std::abs(at) <= meeting() && straight(be, e) ? edge(be, previous(be, e)).length : 0;
-    const double beyond = std::abs(at - face.length) <= meeting() && straight(be, next(be, e)) ? edge(be, next(be, e)).length : 0;
+    const double beyond =
+        std::abs(at - face.length) <= meeting() && straight(be, next(be, e)) ? edge(be, next(be, e)).length : 0;
     return overlap(block, v, face, before, beyond);
   }
 
@@ -311,9 +354,10 @@ class NearPair {
   const Surface& surface_;
   const Faces& faces_;
   int i_, j_;
-  double dt_, judged_, least_, flush_, way_, reach_;  // s, s, m, m, m, m; judged_: from the start to the places that contacts are judged at
-  bool fast_;                           // may pass an edge by in the step
-  double turn_;                         // rad, of i as seen from j until contacts are judged
+  // s, s, m, m, m, m; judged_: from the start to the places that contacts are judged at
+  double dt_, judged_, least_, flush_, way_, reach_;
+  bool fast_;    // may pass an edge by in the step
+  double turn_;  // rad, of i as seen from j until contacts are judged
 };
 
 }  // namespace talus

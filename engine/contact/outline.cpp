@@ -8,7 +8,9 @@ namespace talus {
 
 namespace {
 
-bool strains(const BlockShape& shape) { return shape.dofs > rigid_dofs; }
+bool strains(const BlockShape& shape) {
+  return shape.dofs > rigid_dofs;
+}
 
 double normal_stress(const Pressing& pressing, const Vec2& n) {
   const Vec3& s = pressing.stress;
@@ -32,7 +34,8 @@ double flush_by(const Model& model, int a, int b, const Stress& stress_in, const
   const double stress = std::max(stress_in(a), stress_in(b));
   double give = 0;
   for (const int block : {a, b})
-    if (stress > 0 && strains(model.shapes[size_t(block)])) give = std::max(give, 2 * extent_of(block) * stress / model.material(block).young);
+    if (stress > 0 && strains(model.shapes[size_t(block)]))
+      give = std::max(give, 2 * extent_of(block) * stress / model.material(block).young);
   return flush_part * least + std::min(give, passing_tolerance * least);
 }
 
@@ -40,11 +43,15 @@ double flush_by(const Model& model, int a, int b, const Stress& stress_in, const
 
 double largest_flush_distance(const Model& model, const Faces& faces, int a, int b) {
   constexpr double widest = 4;  // radii: of a block that is stretched to twice its length
-  return flush_by(model, a, b, [&](int block) { return faces.pressing(block).largest; }, [&](int block) { return widest * model.shapes[size_t(block)].radius; });
+  return flush_by(
+      model, a, b, [&](int block) { return faces.pressing(block).largest; },
+      [&](int block) { return widest * model.shapes[size_t(block)].radius; });
 }
 
 double flush_distance(const Model& model, const Faces& faces, int a, int b, const Vec2& normal) {
-  return flush_by(model, a, b, [&](int block) { return normal_stress(faces.pressing(block), normal); }, [&](int block) { return extent(model, block, normal); });
+  return flush_by(
+      model, a, b, [&](int block) { return normal_stress(faces.pressing(block), normal); },
+      [&](int block) { return extent(model, block, normal); });
 }
 
 }  // namespace talus

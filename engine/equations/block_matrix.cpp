@@ -12,10 +12,12 @@ bool BlockMatrix::set_pattern(const std::vector<int>& sizes, std::vector<std::pa
   return set_pattern(sizes, std::move(pairs), std::move(all));
 }
 
-bool BlockMatrix::set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs, std::vector<int> with_entries) {
+bool BlockMatrix::set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs,
+                              std::vector<int> with_entries) {
   for (auto& [a, b] : pairs)
     if (a < b) std::swap(a, b);
-  std::erase_if(pairs, [&](const auto& p) { return p.first == p.second || sizes[p.first] == 0 || sizes[p.second] == 0; });
+  std::erase_if(pairs,
+                [&](const auto& p) { return p.first == p.second || sizes[p.first] == 0 || sizes[p.second] == 0; });
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   if (sizes == sizes_ && pairs == pairs_ && with_entries == with_entries_) return false;

@@ -1,13 +1,13 @@
 #pragma once
-// A symmetric sparse matrix of dense blocks of any size, kept as the upper triangle by scalar columns (which CHOLMOD reorders with one
-// transposition, the lower one with two). The pattern comes from pairs of blocks; values are added through slots found once.
+// A symmetric sparse matrix of dense blocks of any size, kept as the upper triangle by scalar columns (which CHOLMOD
+// reorders with one transposition, the lower one with two). The pattern comes from pairs of blocks; values are added
+// through slots found once.
+#include <Eigen/Core>
 #include <cassert>
 #include <cstdint>
 #include <unordered_map>
 #include <utility>
 #include <vector>
-
-#include <Eigen/Core>
 
 namespace talus {
 
@@ -19,13 +19,14 @@ class BlockMatrix {
   // Returns whether the pattern changed; slots stay valid while it does not.
   bool set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs);
   // The same where only the blocks `with_entries` (rising) have any; the unknowns of all are numbered.
-  bool set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs, std::vector<int> with_entries);
-  // Becomes the part of `whole` that `blocks` (rising) make up, which couple to no others. place: number of each of them in
-  // the part. Returns whether the pattern changed.
+  bool set_pattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs,
+                   std::vector<int> with_entries);
+  // Becomes the part of `whole` that `blocks` (rising) make up, which couple to no others. place: number of each of
+  // them in the part. Returns whether the pattern changed.
   bool take_part(const BlockMatrix& whole, const std::vector<int>& blocks, const std::vector<int>& place);
 
-  // Where the (row block, column block) submatrix lies; row < column, or equal for the diagonal. Negative: nowhere, as of a block without entries
-  // or a pair that was not given.
+  // Where the (row block, column block) submatrix lies; row < column, or equal for the diagonal. Negative: nowhere, as
+  // of a block without entries or a pair that was not given.
   struct Slot {
     int row = -1, column = -1;
     int offset = 0;  // rows above the submatrix among the column's entries
@@ -48,7 +49,8 @@ class BlockMatrix {
   template <typename Derived>
   void begin(int block, const Eigen::MatrixBase<Derived>& m) {
     const int size = sizes_[size_t(block)], above = above_[size_t(block)];
-    double* to = values.data() + column_begin_[size_t(begin_[size_t(block)])];  // past the end for a block without unknowns
+    // past the end for a block without unknowns
+    double* to = values.data() + column_begin_[size_t(begin_[size_t(block)])];
     for (int j = 0; j < size; ++j) {
       to = std::fill_n(to, above, 0.0);
       for (int i = 0; i <= j; ++i) *to++ = m(i, j);
@@ -56,8 +58,8 @@ class BlockMatrix {
   }
   // y += K x
   void multiply(const Vector& x, Vector& y) const;
-  // The part of x·K y that the columns of a block with entries hold, and those rows that mirror them. own: the block's x and y, as a pair of
-  // what can be indexed; others(block): those of one that it is coupled to.
+  // The part of x·K y that the columns of a block with entries hold, and those rows that mirror them. own: the block's
+  // x and y, as a pair of what can be indexed; others(block): those of one that it is coupled to.
   template <class Pair, class Others>
   double form(int block, const Pair& own, Others&& others) const;
 
@@ -107,11 +109,11 @@ class BlockMatrix {
     }
   }
 
-  std::vector<int> sizes_, begin_;           // unknowns, first unknown
-  std::vector<int> with_entries_;            // blocks
-  std::vector<std::pair<int, int>> pairs_;   // sorted (column, row)
-  std::vector<int> pair_begin_;              // first pair of a column block
-  std::vector<int> pair_offset_, above_;     // rows above a pair's submatrix in the column; above a block's own
+  std::vector<int> sizes_, begin_;          // unknowns, first unknown
+  std::vector<int> with_entries_;           // blocks
+  std::vector<std::pair<int, int>> pairs_;  // sorted (column, row)
+  std::vector<int> pair_begin_;             // first pair of a column block
+  std::vector<int> pair_offset_, above_;    // rows above a pair's submatrix in the column; above a block's own
   std::vector<int> column_begin_, row_index_;
 };
 

@@ -35,7 +35,8 @@ BendMoments bend_moments(const Model& model, const BlockShape& shape) {
   const double scale = 1 / (shape.length * shape.length);
   const Vec3 mean = shape.bend().mean;
   Mat3 fourth;
-  fourth << m.fourth[0], m.fourth[1], m.fourth[2], m.fourth[1], m.fourth[2], m.fourth[3], m.fourth[2], m.fourth[3], m.fourth[4];
+  fourth << m.fourth[0], m.fourth[1], m.fourth[2], m.fourth[1], m.fourth[2], m.fourth[3], m.fourth[2], m.fourth[3],
+      m.fourth[4];
   return {scale * Vec3(m.third[0], m.third[1], m.third[2]), scale * Vec3(m.third[1], m.third[2], m.third[3]),
           scale * scale * fourth - shape.area * mean * mean.transpose()};
 }
@@ -51,11 +52,12 @@ MatrixOf<second_order_dofs> second_order_mass_matrix(const Model& model, int blo
   // Along x and y, under unit rotation, εx, εy and γ: (-Y, X), (X, 0), (0, Y), (Y, X)/2, over l.
   Eigen::Matrix<double, 4, 6> mixed;
   const Vec3 x = per_length * moments.x, y = per_length * moments.y;
-  mixed << -y.transpose(), x.transpose(), x.transpose(), Vec3::Zero().transpose(), Vec3::Zero().transpose(), y.transpose(),
-      y.transpose() / 2, x.transpose() / 2;
+  mixed << -y.transpose(), x.transpose(), x.transpose(), Vec3::Zero().transpose(), Vec3::Zero().transpose(),
+      y.transpose(), y.transpose() / 2, x.transpose() / 2;
   m.block<4, 6>(2, first_order_dofs) = mixed;
   m.block<6, 4>(first_order_dofs, 2) = mixed.transpose();
-  for (const int begin : {first_order_dofs, first_order_dofs + 3}) m.block<3, 3>(begin, begin) = density * moments.square;
+  for (const int begin : {first_order_dofs, first_order_dofs + 3})
+    m.block<3, 3>(begin, begin) = density * moments.square;
   return m;
 }
 
@@ -98,7 +100,8 @@ double moment_of_inertia(const Model& model, int block, const Vec3& e, const Apa
   const Vec3 along_x(b[0], b[1], b[2]), along_y(b[3], b[4], b[5]);
   // 2 ∫ (I + e)X·q + ∫ q·q
   const Vec3 x = (1 + e[0]) * m.x + e[2] / 2 * m.y, y = e[2] / 2 * m.x + (1 + e[1]) * m.y;
-  const double bent = 2 * (x.dot(along_x) + y.dot(along_y)) + along_x.dot(m.square * along_x) + along_y.dot(m.square * along_y);
+  const double bent =
+      2 * (x.dot(along_x) + y.dot(along_y)) + along_x.dot(m.square * along_x) + along_y.dot(m.square * along_y);
   return unbent + model.material(block).density / (shape.length * shape.length) * bent;
 }
 
@@ -110,7 +113,8 @@ double mean_spin(const Model& model, int block, const BlockState& state) {
     const ColumnOf<second_order_dofs> coupling = second_order_mass_matrix(model, block).row(2);
     return coupling.dot(v.column<second_order_dofs>()) / coupling[2];
   }
-  return v[2] + (shape.xy * (v[4] - v[3]) + (shape.xx - shape.yy) / 2 * v[5]) / (shape.xx + shape.yy);  // row 2 of mass_matrix()
+  // row 2 of mass_matrix()
+  return v[2] + (shape.xy * (v[4] - v[3]) + (shape.xx - shape.yy) / 2 * v[5]) / (shape.xx + shape.yy);
 }
 
 namespace {
@@ -122,7 +126,8 @@ double mean_spin(const Model& model, int block, const Pose& pose) {
   if (spin == 0) return 0;
   Apart<BendArray> bend = state.bend;
   if (bend) *bend = pose.bend->now;
-  return spin * moment_of_inertia(model, block, state.strain, state.bend) / moment_of_inertia(model, block, pose.strain, bend);
+  return spin * moment_of_inertia(model, block, state.strain, state.bend) /
+         moment_of_inertia(model, block, pose.strain, bend);
 }
 
 }  // namespace
@@ -185,8 +190,9 @@ void add_block_terms(const Model& model, const Poses& poses, const Scheme& schem
           k.template bottomRightCorner<6, 6>() += scheme.bond_d * bending;
           const Vec6 bend = Eigen::Map<const Vec6>(pose.bend->now.data()) +
                             scheme.bond_v * Eigen::Map<const Vec6>(pose.bend->rate.data());
-          f.template tail<6>() = spin * spin * shape.length * (mass.row(3) + mass.row(4)).template tail<6>().transpose() -
-                                 initial_bend_force(model, b) - bending * bend;
+          f.template tail<6>() =
+              spin * spin * shape.length * (mass.row(3) + mass.row(4)).template tail<6>().transpose() -
+              initial_bend_force(model, b) - bending * bend;
         }
       }
       for (int i = 0; i < shape.dofs; ++i)  // mass couples all; a rigid block keeps its first three

@@ -25,8 +25,8 @@ Vec6 initial_bend_force(const Model& model, int block);
 double moment_of_inertia(const Model& model, int block, const Vec3& e);
 double moment_of_inertia(const Model& model, int block, const Vec3& e, const Apart<BendArray>& bend);
 
-// m/s, l times the spin that a block's mass has in the mean: its angular momentum over its moment of inertia, which unlike the rate of its
-// rotation shear does not change. docs/theory.md, "Rotation".
+// m/s, l times the spin that a block's mass has in the mean: its angular momentum over its moment of inertia, which
+// unlike the rate of its rotation shear does not change. docs/theory.md, "Rotation".
 double mean_spin(const Model& model, int block, const BlockState& state);
 
 // External force per area on a block, N/m2: gravity and its region's body force at time `t`.

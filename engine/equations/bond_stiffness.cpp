@@ -15,7 +15,9 @@ using Mat9 = Eigen::Matrix<double, 9, 9>;
 class Faces {
  public:
   explicit Faces(const Model& model)
-      : model_(model), constant_(model.shapes.size(), Mat3::Zero()), linear_(model.quadratic_shapes.size(), Mat9::Zero()) {}
+      : model_(model),
+        constant_(model.shapes.size(), Mat3::Zero()),
+        linear_(model.quadratic_shapes.size(), Mat9::Zero()) {}
 
   // `share`: w².
   void add(int block, const std::array<Vec2, 2>& ends, const Vec2& normal, double share, double length) {
@@ -52,7 +54,7 @@ class Faces {
 
   const Model& model_;
   std::vector<Mat3> constant_;  // Σ w² L NᵀN
-  std::vector<Mat9> linear_;    // of second-order blocks: Σ w² ∫ (N D S)ᵀ(N D S), S the strain under unit unknowns
+  std::vector<Mat9> linear_;  // of second-order blocks: Σ w² ∫ (N D S)ᵀ(N D S), S the strain under unit unknowns
 };
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace talus {
 
 namespace {
 
-// A traction that is the same all along an edge: its sum in the middle of a first-order block's edge, of a second-order one
-// at two of Gauss's points, which are exact for what is quadratic along it.
+// A traction that is the same all along an edge: its sum in the middle of a first-order block's edge, of a second-order
+// one at two of Gauss's points, which are exact for what is quadratic along it.
 void spread(const BlockShape& shape, const Pose& pose, int block, const std::array<Vec2, 2>& edge, const Vec2& middle,
             const Vec2& force, const LoadVisitor& visit) {
   if (!shape.second_order()) return visit(block, {(edge[0] + edge[1]) / 2, middle}, force);
@@ -36,9 +36,10 @@ void each_load(const Model& model, const Poses& poses, double time, const LoadVi
     const EdgeLoad& load = model.scene.edge_loads[edge.load];
     const Pose& pose = poses.blocks[edge.block];
     const Vec2 from = pose.place(edge.in_block[0]), to = pose.place(edge.in_block[1]);
-    const Vec2 force = load.is_pressure ? Vec2(model.load(load.traction[0], time) * perp(to - from))
-                                        : Vec2((edge.in_block[1] - edge.in_block[0]).norm() *
-                                               Vec2(model.load(load.traction[0], time), model.load(load.traction[1], time)));
+    const Vec2 force = load.is_pressure
+                           ? Vec2(model.load(load.traction[0], time) * perp(to - from))
+                           : Vec2((edge.in_block[1] - edge.in_block[0]).norm() *
+                                  Vec2(model.load(load.traction[0], time), model.load(load.traction[1], time)));
     spread(model.shapes[edge.block], pose, edge.block, edge.in_block, (from + to) / 2, force, visit);
   }
 }
@@ -65,12 +66,14 @@ void each_gas_load(const Model& model, const Poses& poses, const LoadVisitor& vi
 
 namespace {
 
-// m/s, by which a held block is faster at the end of a step than on its mean, and slower at the start: by the parabola through its places then and in between.
-// What is rounding of these is none, so that at a steady speed nothing changes from step to step.
+// m/s, by which a held block is faster at the end of a step than on its mean, and slower at the start: by the parabola
+// through its places then and in between. What is rounding of these is none, so that at a steady speed nothing changes
+// from step to step.
 Vec2 rising(const Model& model, int block, double dt) {
   if (model.held_by[block] < 0 || dt == 0) return Vec2::Zero();
   const Fixity& fixity = model.scene.fixities[model.held_by[block]];
-  const Vec2 start = fixity.moved(model.time), middle = fixity.moved(model.time + dt / 2), end = fixity.moved(model.time + dt);
+  const Vec2 start = fixity.moved(model.time), middle = fixity.moved(model.time + dt / 2),
+             end = fixity.moved(model.time + dt);
   const Vec2 bend = start - 2 * middle + end;
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   return bend.norm() <= rounding * std::max(start.norm(), end.norm()) ? Vec2::Zero() : Vec2(2 / dt * bend);
@@ -85,7 +88,8 @@ void move_held_blocks(Model& model, double dt) {
     const int b = model.held_blocks[k];
     auto& velocity = model.blocks[b].velocity;
     const auto now = held_velocity(model, b, dt);
-    const Vec2 rises = rising(model, b, dt), change = Vec2(now[0] - velocity[0], now[1] - velocity[1]) + rises - model.held_rising[k];
+    const Vec2 rises = rising(model, b, dt),
+               change = Vec2(now[0] - velocity[0], now[1] - velocity[1]) + rises - model.held_rising[k];
     model.held_faster[k] = {change.x(), change.y(), now[2] - velocity[2]};
     model.held_rising[k] = rises;
     std::ranges::copy(now, velocity.begin());
@@ -118,7 +122,8 @@ void place_held_blocks(Model& model) {
   model.place_vertices();
 }
 
-void add_force(const Model& model, const Poses& poses, int block, const LoadPoint& point, const Vec2& force, System& system) {
+void add_force(const Model& model, const Poses& poses, int block, const LoadPoint& point, const Vec2& force,
+               System& system) {
   const BlockShape& shape = model.shapes[block];
   with_size(shape.second_order(),
             [&](auto n) { system.add_force(shape, block, force_on<n>(poses.blocks[block], point, force)); });

@@ -23,15 +23,16 @@ ColumnOf<n> force_on(const Pose& pose, const LoadPoint& point, const Vec2& force
   return pose.rows<n>(point.in_block, point.at).transpose() * force;
 }
 
-// Each force (N/m) of the loads at `time` on a block that is awake, and the place where it acts. A pressure follows its edge: it pushes
-// along the inward normal of the edge as it lies now.
+// Each force (N/m) of the loads at `time` on a block that is awake, and the place where it acts. A pressure follows its
+// edge: it pushes along the inward normal of the edge as it lies now.
 using LoadVisitor = std::function<void(int block, const LoadPoint& point, const Vec2& force)>;
 void each_load(const Model& model, const Poses& poses, double time, const LoadVisitor& visit);
-// Explosion gas on the faces it has reached: the derivative of its volume, on a second-order block's face at both ends and in
-// the middle.
+// Explosion gas on the faces it has reached: the derivative of its volume, on a second-order block's face at both ends
+// and in the middle.
 void each_gas_load(const Model& model, const Poses& poses, const LoadVisitor& visit);
 
-void add_force(const Model& model, const Poses& poses, int block, const LoadPoint& point, const Vec2& force, System& system);
+void add_force(const Model& model, const Poses& poses, int block, const LoadPoint& point, const Vec2& force,
+               System& system);
 void add_loads(const Model& model, const Poses& poses, const Scheme& scheme, System& system);
 
 }  // namespace talus

@@ -7,7 +7,8 @@
 
 namespace talus {
 
-// From the axes of a joint, normal and shear, into those of its bridge, across and along the path of its crack, and back.
+// From the axes of a joint, normal and shear, into those of its bridge, across and along the path of its crack, and
+// back.
 inline BondTraction to_path(const Joint& joint, const BondTraction& in_joint) {
   const Vec2 turned = Rotation::of(joint.path_turn).back({in_joint.normal, in_joint.shear});
   return {turned.x(), turned.y()};
@@ -21,7 +22,9 @@ inline BondTraction from_path(const Joint& joint, const BondTraction& on_path) {
 class BridgeLaws {
  public:
   BridgeLaws(const Model& model, const Joint& joint)
-      : property_(model.scene.properties[joint.property]), intact_(model.strength(joint)), aslant_(std::cos(joint.path_turn)) {
+      : property_(model.scene.properties[joint.property]),
+        intact_(model.strength(joint)),
+        aslant_(std::cos(joint.path_turn)) {
     if (joint.mode != FailureMode::tension || !is_tracked(model, joint)) return;
     const double whole = left(0, 0).cohesion - property_.residual.cohesion;
     if (whole > 0) held_ = std::min(1.0, std::hypot(joint.left_with.normal, joint.left_with.shear) / whole);
@@ -39,13 +42,15 @@ class BridgeLaws {
 
   const JointProperty& property_;
   Strength intact_;
-  double aslant_;    // length of the path beside the joint, of the joint's own
-  // Of the cohesion; slips count by it too, so that it takes G_II whatever it is. What fails in tension where cracks have paths holds no
-  // more along its own than it failed with: the whole would lock the zigzag.
+  double aslant_;  // length of the path beside the joint, of the joint's own
+  // Of the cohesion; slips count by it too, so that it takes G_II whatever it is. What fails in tension where cracks
+  // have paths holds no more along its own than it failed with: the whole would lock the zigzag.
   double held_ = 1;
 };
 
-inline double worn_by(const Bridge& bridge, double x) { return std::max(bridge.worn, x - bridge.reach); }
+inline double worn_by(const Bridge& bridge, double x) {
+  return std::max(bridge.worn, x - bridge.reach);
+}
 
 // On its line, or at its worst jump where the line ends.
 inline double on_line(const Bridge& bridge, double strength) {

@@ -10,8 +10,8 @@ namespace talus {
 
 namespace {
 
-// Parts of a strength: a branch is the right one where its traction is the law's to the first; the mean of the strengths is
-// found again until it changes by less than the second.
+// Parts of a strength: a branch is the right one where its traction is the law's to the first; the mean of the
+// strengths is found again until it changes by less than the second.
 constexpr double same_traction = 1e-8, same_strength = 1e-3;
 
 double change(const Row& row, int dof, int size, const Vector& d) {
@@ -28,8 +28,11 @@ double BridgeMotion::Direction::at(double x) const {
 
 // To the branch on which the solution is; not over the line, or it would go to and fro between its two ends.
 void BridgeMotion::Direction::go_on(bool across) {
-  const Branch found = across && to <= 0 ? Branch::loose : std::abs(slope * to) < limit ? Branch::line : Branch::constant;
-  const bool over = (branch == Branch::loose && found == Branch::constant) || (branch == Branch::constant && found == Branch::loose) ||
+  const Branch found = across && to <= 0              ? Branch::loose
+                       : std::abs(slope * to) < limit ? Branch::line
+                                                      : Branch::constant;
+  const bool over = (branch == Branch::loose && found == Branch::constant) ||
+                    (branch == Branch::constant && found == Branch::loose) ||
                     (branch == Branch::constant && found == Branch::constant && sign * to < 0);
   branch = over ? Branch::line : found;
   sign = std::copysign(1.0, to);
@@ -54,7 +57,8 @@ void BridgeMotion::begin(const Model& model) {
       point.dof_b = b.dof_begin;
       point.size_a = a.dofs;
       point.size_b = b.dofs;
-      const std::array strengths = {laws.tension(at.along.worn, at.across.worn), laws.cohesion(at.along.worn, at.across.worn)};
+      const std::array strengths = {laws.tension(at.along.worn, at.across.worn),
+                                    laws.cohesion(at.along.worn, at.across.worn)};
       for (size_t k = 0; k < 2; ++k) {
         const Bridge& bridge = k == 0 ? at.across : at.along;
         Direction& own = point.along[k];
@@ -65,7 +69,9 @@ void BridgeMotion::begin(const Model& model) {
         own.slope = own.first > 0 ? own.first / (bridge.reach + bridge.worn) : 0;
         own.sign = std::copysign(1.0, own.from);
         const bool loose = own.first <= 0 || (k == 0 && own.from <= 0);
-        own.branch = loose ? Branch::loose : std::abs(own.from) < own.reach + own.worn ? Branch::line : Branch::constant;
+        own.branch = loose                                       ? Branch::loose
+                     : std::abs(own.from) < own.reach + own.worn ? Branch::line
+                                                                 : Branch::constant;
       }
       laws_.push_back(laws);
       strength_.push_back(std::max(laws.tension(0, 0), laws.cohesion(0, 0)));
@@ -90,7 +96,8 @@ void BridgeMotion::add(const Model& model, const Poses& poses, const Scheme& sch
       const Vec2 in_a = between(joint.in_a, at), in_b = between(joint.in_b, at);
       const Vec2 middle = (a.place(in_a) + b.place(in_b)) / 2;
       const RowsOf<size> rows_a = a.rows<size>(in_a, middle), rows_b = b.rows<size>(in_b, middle);
-      const Vec2 moved = Jump<size>(model, ends, joint, end).at(in_a, in_b) - Jump<size>(model, ends, joint, begin).at(in_a, in_b);
+      const Vec2 moved =
+          Jump<size>(model, ends, joint, end).at(in_a, in_b) - Jump<size>(model, ends, joint, begin).at(in_a, in_b);
       for (size_t k = 0; k < 2; ++k) {
         Direction& own = point.along[k];
         own.free = own.from + moved.dot(axes[k]);
@@ -136,7 +143,8 @@ bool BridgeMotion::agrees(const Vector& d) {
     std::array<double, 2> worn;
     for (size_t k = 0; k < 2; ++k) {
       Direction& own = point.along[k];
-      own.to = own.free + factor_ * (change(own.row_a, point.dof_a, point.size_a, d) + change(own.row_b, point.dof_b, point.size_b, d));
+      own.to = own.free + factor_ * (change(own.row_a, point.dof_a, point.size_a, d) +
+                                     change(own.row_b, point.dof_b, point.size_b, d));
       own.traction = own.at(own.to);
       worn[k] = std::max(own.worn, (k == 0 ? own.to : std::abs(own.to)) - own.reach);
     }
@@ -162,7 +170,8 @@ double BridgeMotion::shift_loss(const Model& model, const Scheme& scheme, const 
   for (const Point& point : points_) {
     const Joint& joint = model.joints[point.joint];
     const double w = joint.points[size_t(point.point)].weight;
-    // Change of the jump along blocks that move by velocity · of_v + d · of_d; of unknowns alone, or of held blocks too.
+    // Change of the jump along blocks that move by velocity · of_v + d · of_d; of unknowns alone, or of held blocks
+    // too.
     const auto along = [&](const Direction& own, double of_v, double of_d, bool held) {
       double sum = 0;
       for (const auto& [row, block, dof, size] : {std::tuple(&own.row_a, joint.a, point.dof_a, point.size_a),

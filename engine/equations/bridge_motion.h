@@ -1,8 +1,8 @@
 #pragma once
-// Bridges over failed bonds (equations/bridge_terms.h) in a step of motion. In it the strength is one number, so that the law is a
-// line up to it and constant beyond: convex, and judged like a contact at the step's end, y₁, it takes energy whatever the step.
-// The number is the mean of the strengths at both ends of the step, with which the work is that of the falling branch to second
-// order. Which branch each point is on is found by solving again, as for contacts.
+// Bridges over failed bonds (equations/bridge_terms.h) in a step of motion. In it the strength is one number, so that
+// the law is a line up to it and constant beyond: convex, and judged like a contact at the step's end, y₁, it takes
+// energy whatever the step. The number is the mean of the strengths at both ends of the step, with which the work is
+// that of the falling branch to second order. Which branch each point is on is found by solving again, as for contacts.
 #include <array>
 #include <vector>
 
@@ -19,8 +19,8 @@ class BridgeMotion {
   // Whether the solution d keeps to the laws; else they go on from it with the next add().
   bool agrees(const Vector& d);
   bool gives_up() const { return rounds_ > most_rounds; }
-  // J/m: what the bridges take along y less along X, which is the integrator's; without what the system's matrix makes of their
-  // lines (ledger.cpp, book_linear). Before the model moves.
+  // J/m: what the bridges take along y less along X, which is the integrator's; without what the system's matrix makes
+  // of their lines (ledger.cpp, book_linear). Before the model moves.
   double shift_loss(const Model& model, const Scheme& scheme, const Vector& d) const;
   // The step is accepted: jumps and tractions of the solution. J/m that the bridges have taken in it, along y.
   double keep(Model& model) const;
@@ -34,10 +34,10 @@ class BridgeMotion {
     double slope = 0;                      // Pa/m, of the line
     double first = 0, limit = 0;           // Pa: strength at the start; in the step
     Branch branch = Branch::loose;
-    double sign = 1;                       // of a constant traction
-    double free = 0, to = 0, traction = 0; // m at d = 0, m and Pa of the solution
-    Row row_a, row_b;                      // change of the jump under unit unknowns
-    double at(double x) const;             // Pa, on the branch
+    double sign = 1;                        // of a constant traction
+    double free = 0, to = 0, traction = 0;  // m at d = 0, m and Pa of the solution
+    Row row_a, row_b;                       // change of the jump under unit unknowns
+    double at(double x) const;              // Pa, on the branch
     void go_on(bool across);
   };
   struct Point {

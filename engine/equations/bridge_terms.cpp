@@ -34,8 +34,12 @@ Pull pull(const Bridge& bridge, double x, const Law& strength) {
 }
 
 // Without traction, on its line, on the falling branch.
-int branch(const Bridge& bridge, double x) { return x <= 0 ? 0 : x < bridge.reach + bridge.worn ? 1 : 2; }
-int sided(const Bridge& bridge, double s) { return s < 0 ? -branch(bridge, -s) : branch(bridge, s); }
+int branch(const Bridge& bridge, double x) {
+  return x <= 0 ? 0 : x < bridge.reach + bridge.worn ? 1 : 2;
+}
+int sided(const Bridge& bridge, double s) {
+  return s < 0 ? -branch(bridge, -s) : branch(bridge, s);
+}
 
 struct Pulls {
   Pull across, along;
@@ -55,7 +59,11 @@ Pulls pulls(const Model& model, const Joint& joint, const JointPoint& point, dou
 
 Bridge begun(double jump, double traction, double strength, double stiffness) {
   const double carried = std::clamp(traction, -strength, strength);
-  return {.origin = jump - carried / stiffness, .reach = strength / stiffness, .worn = 0, .now = carried / stiffness, .traction = carried};
+  return {.origin = jump - carried / stiffness,
+          .reach = strength / stiffness,
+          .worn = 0,
+          .now = carried / stiffness,
+          .traction = carried};
 }
 
 }  // namespace
@@ -67,14 +75,16 @@ void store_bridge_traction(const Joint& joint, JointPoint& point) {
 }
 
 Strength contact_part(const Model& model, const Joint& joint) {
-  return {joint.remaining.friction, std::min(joint.remaining.cohesion, model.scene.properties[joint.property].residual.cohesion), 0};
+  return {joint.remaining.friction,
+          std::min(joint.remaining.cohesion, model.scene.properties[joint.property].residual.cohesion), 0};
 }
 
 void begin_bridges(const Model& model, Joint& joint) {
   const JointProperty& property = model.scene.properties[joint.property];
   if (!property.reduction) return;
   const BridgeLaws laws(model, joint);
-  const double tension = laws.tension(0, 0), cohesion = laws.cohesion(0, 0), stiffness = model.stiffness_per_area(property, joint.a, joint.b);
+  const double tension = laws.tension(0, 0), cohesion = laws.cohesion(0, 0),
+               stiffness = model.stiffness_per_area(property, joint.a, joint.b);
   joint.bridged = tension > 0 || cohesion > 0;
   const BondTraction t = mean_traction(joint);
   const BondTraction faces = taken_over(t, contact_part(model, joint));
@@ -97,7 +107,8 @@ void wear_bridges(const Model& model, Joint& joint) {
                     laws.cohesion(point.along.worn, point.across.worn) > 0;
   }
   if (!joint.bridged)
-    for (JointPoint& point : joint.points) point.normal = point.shear = point.across.traction = point.along.traction = 0;
+    for (JointPoint& point : joint.points)
+      point.normal = point.shear = point.across.traction = point.along.traction = 0;
 }
 
 void BridgeTerms::find_slots(const Model& model, const BlockMatrix& matrix) {
@@ -105,7 +116,8 @@ void BridgeTerms::find_slots(const Model& model, const BlockMatrix& matrix) {
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
     if (joint.bridged)
-      slots_.push_back({int(j), matrix.slot(joint.a, joint.a), matrix.slot(joint.b, joint.b), matrix.slot(joint.a, joint.b)});
+      slots_.push_back(
+          {int(j), matrix.slot(joint.a, joint.a), matrix.slot(joint.b, joint.b), matrix.slot(joint.a, joint.b)});
   }
 }
 
@@ -169,8 +181,7 @@ void BridgeTerms::watch(const Model& model) {
     const auto [at, first] = turns_.try_emplace(slots.joint);
     for (size_t p = 0; p < joint.points.size(); ++p) {
       const JointPoint& point = joint.points[p];
-      const std::array now = {branch(point.across, point.across.now),
-                              sided(point.along, point.along.now)};
+      const std::array now = {branch(point.across, point.across.now), sided(point.along, point.along.now)};
       Turns& turns = at->second[p];
       for (size_t k = 0; k < now.size(); ++k) {
         const bool turned = !first && now[k] != turns.branch[k];
@@ -201,7 +212,8 @@ double bridge_energy(const Joint& joint) {
   double sum = 0;
   if (!joint.bridged) return sum;
   for (const JointPoint& point : joint.points)
-    sum += point.weight / 2 * (point.across.traction * std::max(0.0, point.across.now) + point.along.traction * point.along.now);
+    sum += point.weight / 2 *
+           (point.across.traction * std::max(0.0, point.across.now) + point.along.traction * point.along.now);
   return sum;
 }
 
@@ -210,7 +222,8 @@ double bridge_work(const Joint& now, const Joint& then) {
   for (size_t p = 0; p < now.points.size(); ++p) {
     const JointPoint &n = now.points[p], &t = then.points[p];
     const BondTraction way = to_path(now, {n.opening - t.opening, n.slip - t.slip});
-    sum += n.weight / 2 * ((n.across.traction + t.across.traction) * way.normal + (n.along.traction + t.along.traction) * way.shear);
+    sum += n.weight / 2 *
+           ((n.across.traction + t.across.traction) * way.normal + (n.along.traction + t.along.traction) * way.shear);
   }
   return sum;
 }

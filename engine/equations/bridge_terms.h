@@ -1,7 +1,7 @@
 #pragma once
 // What a failed bond still carries beside the contact of its faces, where its property softens: tension across it, and
-// cohesion along it, both above the residual strength, each as a traction over the jump since it failed. Where it lies aslant
-// of the path of its crack, across and along that path (Joint::path_turn).
+// cohesion along it, both above the residual strength, each as a traction over the jump since it failed. Where it lies
+// aslant of the path of its crack, across and along that path (Joint::path_turn).
 //
 // The law is extrinsic: the bridge begins with the traction that the bond failed with, up to its strength f, and loses
 // strength with the jump beyond. Back from the worst jump, and up to it again, it is a line through the jump without
@@ -48,7 +48,7 @@ class BridgeTerms {
   std::vector<Slots> slots_;
   double share_ = 1;
   struct Turns {
-    std::array<int, 2> branch = {0, 0};           // across, along
+    std::array<int, 2> branch = {0, 0};                 // across, along
     std::array<int, 2> count = {0, 0}, quiet = {0, 0};  // of turns; steps since the last
   };
   double slope(const Turns& turns, int direction, double own, double line) const;

@@ -7,8 +7,8 @@ namespace talus {
 
 namespace {
 
-// The first unknown below each supernode in the elimination tree, whose order is a postorder: what reaches a supernode begins between
-// there and its last column.
+// The first unknown below each supernode in the elimination tree, whose order is a postorder: what reaches a supernode
+// begins between there and its last column.
 std::vector<int> first_below(const SupernodalFactor& factor) {
   const size_t count = factor.first.size() - 1;
   std::vector<int> below(factor.first.begin(), factor.first.end() - 1), of_column(factor.order.size());
@@ -25,11 +25,14 @@ std::vector<int> first_below(const SupernodalFactor& factor) {
 
 }  // namespace
 
-Compliance::Compliance(const SupernodalFactor& factor) : factor_(factor), place_(factor.order.size()), below_(first_below(factor)) {
+Compliance::Compliance(const SupernodalFactor& factor)
+    : factor_(factor), place_(factor.order.size()), below_(first_below(factor)) {
   for (size_t k = 0; k < place_.size(); ++k) place_[size_t(factor.order[k])] = int(k);
 }
 
-Eigen::Index Compliance::Part::until(int unknown) const { return std::lower_bound(begin.begin(), begin.end(), unknown) - begin.begin(); }
+Eigen::Index Compliance::Part::until(int unknown) const {
+  return std::lower_bound(begin.begin(), begin.end(), unknown) - begin.begin();
+}
 
 Compliance::Part Compliance::sort(const std::vector<SparseColumn>& columns) const {
   std::vector<std::pair<int, int>> order;
@@ -43,7 +46,8 @@ Compliance::Part Compliance::sort(const std::vector<SparseColumn>& columns) cons
   part.x.setZero(Eigen::Index(place_.size()), Eigen::Index(columns.size()));
   for (const auto& [begin, c] : order) {
     const SparseColumn& column = columns[size_t(c)];
-    for (size_t k = 0; k < column.unknowns.size(); ++k) part.x(place_[size_t(column.unknowns[k])], Eigen::Index(part.begin.size())) += column.values[k];
+    for (size_t k = 0; k < column.unknowns.size(); ++k)
+      part.x(place_[size_t(column.unknowns[k])], Eigen::Index(part.begin.size())) += column.values[k];
     part.begin.push_back(begin);
     part.sorted.push_back(int(w_.rows()) + c);
   }
@@ -67,7 +71,9 @@ void Compliance::add(const std::vector<SparseColumn>& columns) {
     shared.back().block(low, low, some, some).selfadjointView<Eigen::Lower>().rankUpdate(x.transpose());
     for (size_t p = 0; p + 1 < parts_.size(); ++p) {
       const Eigen::Index from = parts_[p].until(below_[s]), others = parts_[p].until(next) - from;
-      if (others > 0) shared[p].block(from, low, others, some).noalias() += parts_[p].x.block(first, from, size, others).transpose() * x;
+      if (others > 0)
+        shared[p].block(from, low, others, some).noalias() +=
+            parts_[p].x.block(first, from, size, others).transpose() * x;
     }
     taken.noalias() = l.bottomRows(height - size) * x;
     const int* const rows = factor_.rows.data() + factor_.row_begin[s] + size;

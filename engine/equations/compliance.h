@@ -12,9 +12,10 @@ struct SparseColumn {
   std::vector<double> values;
 };
 
-// W = Aᵀ K⁻¹ A, columns × columns, for P K Pᵀ = L Lᵀ: the Gram matrix of L⁻¹ P A. All unknowns of a column belong to blocks that K couples
-// with each other, as those of a contact do, and so lie on one path to the root of the elimination tree: of L that path alone is read, a tenth
-// of what a solution would. Columns may join those that are there, whose part is kept.
+// W = Aᵀ K⁻¹ A, columns × columns, for P K Pᵀ = L Lᵀ: the Gram matrix of L⁻¹ P A. All unknowns of a column belong to
+// blocks that K couples with each other, as those of a contact do, and so lie on one path to the root of the
+// elimination tree: of L that path alone is read, a tenth of what a solution would. Columns may join those that are
+// there, whose part is kept.
 class Compliance {
  public:
   // Of no columns. The factor is read as long as some are added.
@@ -25,8 +26,8 @@ class Compliance {
  private:
   // Columns that were added at once, in the order in which they begin.
   struct Part {
-    Eigen::MatrixXd x;  // L⁻¹ P A, unknowns × columns
-    std::vector<int> sorted, begin;  // their numbers in W; where each begins, in the order of the factor
+    Eigen::MatrixXd x;                      // L⁻¹ P A, unknowns × columns
+    std::vector<int> sorted, begin;         // their numbers in W; where each begins, in the order of the factor
     Eigen::Index until(int unknown) const;  // columns that begin before it
   };
   Part sort(const std::vector<SparseColumn>& columns) const;

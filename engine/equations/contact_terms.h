@@ -9,10 +9,12 @@
 
 namespace talus {
 
-// m, that a gap may be off as the difference of two places: these are as large as the scene, or as far from its middle as they are.
+// m, that a gap may be off as the difference of two places: these are as large as the scene, or as far from its middle
+// as they are.
 double rounding_of_gap(const Model& model, const Contact& contact);
 
-// By how much what slides `way`, m, rises for each m of it towards the height of the face that it has come on to, where nothing holds it back.
+// By how much what slides `way`, m, rises for each m of it towards the height of the face that it has come on to, where
+// nothing holds it back.
 double full_climb(const Model& model, const Contact& contact, double way);
 
 struct ContactScalars {
@@ -20,16 +22,18 @@ struct ContactScalars {
   int dof_i, dof_j, size_i, size_j;
   double gap0, slide0;  // gap and stretch at d = 0, velocities carried to where contacts are judged
   double rounding;      // m, of gap0; none where that is no difference of places, see Contact::lies
-  double faster;        // m/s, by which sliding has become faster as the step began: as held blocks have, or, in the first, all that there is
-  double kn, ks;        // N/m
-  double climb;         // by how much less the gap is for each m of sliding, see climb()
+  // m/s, by which sliding has become faster as the step began: as held blocks have, or, in the first, all that there is
+  double faster;
+  double kn, ks;              // N/m
+  double climb;               // by how much less the gap is for each m of sliding, see climb()
   double friction, cohesion;  // tan φ; N
-  int contact;          // index into Model::contacts
-  bool near;            // may press in this step; the others are not solved for, only watched
+  int contact;                // index into Model::contacts
+  bool near;                  // may press in this step; the others are not solved for, only watched
 };
 
 struct ContactRows : ContactScalars {
-  // Change of gap and of sliding under unit unknowns: six of each block, twelve where one of the two is of second order.
+  // Change of gap and of sliding under unit unknowns: six of each block, twelve where one of the two is of second
+  // order.
   Row normal_i, normal_j, shear_i, shear_j;
 
   ContactRows() {}  // NOLINT(modernize-use-equals-default): = default would set all to nought
@@ -69,11 +73,12 @@ inline double friction_limit(const ContactScalars& row, double normal) {
 class ContactTerms {
  public:
   static constexpr double least_pressed = 1e-6;  // of cohesion: less is no load but what the solution leaves
-  // Of what is awake. `stick`: no joint that touches slides, open or not (the settled start). Near is what the velocities bring to within `nearness` times what a
-  // contact's neighbours may push it in the step, taken as half of its own relative motion and near_part of the smaller
-  // block's √area. Per block, the larger counts; empty: 1. Cohesion counts where the normal force is more than `pressed` of it.
-  void linearise(const Model& model, Poses& poses, const Scheme& scheme, bool stick,
-                 std::span<const double> nearness, double pressed = least_pressed);
+  // Of what is awake. `stick`: no joint that touches slides, open or not (the settled start). Near is what the
+  // velocities bring to within `nearness` times what a contact's neighbours may push it in the step, taken as half of
+  // its own relative motion and near_part of the smaller block's √area. Per block, the larger counts; empty: 1.
+  // Cohesion counts where the normal force is more than `pressed` of it.
+  void linearise(const Model& model, Poses& poses, const Scheme& scheme, bool stick, std::span<const double> nearness,
+                 double pressed = least_pressed);
   // Becomes the listed rows of `whole`, between the blocks that `place` numbers, whose unknowns begin at `dof_begin`.
   void take_part(const ContactTerms& whole, std::span<const int> rows, const std::vector<int>& place,
                  const std::vector<int>& dof_begin);
@@ -87,7 +92,8 @@ class ContactTerms {
 
  private:
   template <int n>
-  static void set_rows(const Model& model, const Contact& contact, const Poses& poses, const Vec2& at, const EdgeFoot& on, ContactRows& row);
+  static void set_rows(const Model& model, const Contact& contact, const Poses& poses, const Vec2& at,
+                       const EdgeFoot& on, ContactRows& row);
 
   std::vector<ContactRows> rows_;
   struct Slots {

@@ -9,15 +9,16 @@ namespace talus {
 
 namespace {
 
-// Six points in a triangle, exact to degree four (Dunavant 1985): the square of the error of a stress that is linear in a block.
+// Six points in a triangle, exact to degree four (Dunavant 1985): the square of the error of a stress that is linear in
+// a block.
 struct TrianglePoint {
   double a, b, share;
 };
 constexpr double inner = 0.445948490915965, inner_share = 0.223381589678011;
 constexpr double outer = 0.091576213509771, outer_share = 0.109951743655322;
-constexpr TrianglePoint triangle_points[] = {
-    {inner, inner, inner_share}, {inner, 1 - 2 * inner, inner_share}, {1 - 2 * inner, inner, inner_share},
-    {outer, outer, outer_share}, {outer, 1 - 2 * outer, outer_share}, {1 - 2 * outer, outer, outer_share}};
+constexpr TrianglePoint triangle_points[] = {{inner, inner, inner_share},         {inner, 1 - 2 * inner, inner_share},
+                                             {1 - 2 * inner, inner, inner_share}, {outer, outer, outer_share},
+                                             {outer, 1 - 2 * outer, outer_share}, {1 - 2 * outer, outer, outer_share}};
 
 // f(material point, weight) over a block of any outline, in triangles about its centroid; over a triangle as it is.
 template <class F>
@@ -68,7 +69,8 @@ ErrorNorm error_of_block(const Model& model, const Recovery& recovery, int block
 }
 
 double stress_error(const Model& model, const Recovery& recovery, int block) {
-  return std::sqrt(model.material(block).young * error_of_block(model, recovery, block).error / model.shapes[block].area);
+  return std::sqrt(model.material(block).young * error_of_block(model, recovery, block).error /
+                   model.shapes[block].area);
 }
 
 std::vector<ErrorNorm> error_of_regions(const Model& model, const Recovery& recovery) {
@@ -83,7 +85,8 @@ double traction_jump(const Model& model, const Joint& joint) {
   const Matrix23 n = traction_of((turned(joint.a) + turned(joint.b)).normalized());
   double sum = 0, length = 0;
   for (const JointPoint& point : joint.points) {
-    const Vec2 jump = n * (model.stress(joint.b, between(joint.in_b, point.at)) - model.stress(joint.a, between(joint.in_a, point.at)));
+    const Vec2 jump = n * (model.stress(joint.b, between(joint.in_b, point.at)) -
+                           model.stress(joint.a, between(joint.in_a, point.at)));
     sum += point.weight * jump.squaredNorm();
     length += point.weight;
   }

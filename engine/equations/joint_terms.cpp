@@ -35,12 +35,14 @@ bool is_intact(const Model& model, const Joint& joint) {
 // Of the kinetic energy that a step begins and ends with, what may stay wrong in bonds: a tenth of what a step may add.
 constexpr double allowed_energy = 1e-7;
 
-double kinetic(const Model& model, int block, const Scheme& scheme, const Vector& d) {  // J/m, at both ends of the step, but for strains
+// J/m, at both ends of the step, but for strains
+double kinetic(const Model& model, int block, const Scheme& scheme, const Vector& d) {
   const BlockShape& shape = model.shapes[block];
   const std::array about{1.0, 1.0, (shape.xx + shape.yy) / (shape.area * shape.area)};
   double sum = 0;
   for (int k = 0; k < rigid_dofs; ++k) {
-    const double before = model.blocks[block].velocity[size_t(k)], after = before + (shape.dofs > 0 ? scheme.velocity_d * d[shape.dof_begin + k] : 0);
+    const double before = model.blocks[block].velocity[size_t(k)],
+                 after = before + (shape.dofs > 0 ? scheme.velocity_d * d[shape.dof_begin + k] : 0);
     sum += about[size_t(k)] * (before * before + after * after);
   }
   return model.mass(block) / 2 * sum;
@@ -94,8 +96,8 @@ void JointTerms::add(const Model& model, const Poses& poses, const Scheme& schem
 
 // Flattened: the products are small, and most of what a step of bonded blocks does beside its factor.
 template <int size>
-[[gnu::flatten]] void JointTerms::add_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int j,
-                          System& system) const {
+[[gnu::flatten]] void JointTerms::add_bond(const Model& model, const Poses& poses, const Ends& ends,
+                                           const Scheme& scheme, int j, System& system) const {
   constexpr bool varies = size > first_order_dofs;  // the flux along the edge
   const Joint& joint = model.joints[j];
   const Side a = side_of<size>(model, poses.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
@@ -133,7 +135,8 @@ template <int size>
   const BlockShape &shape_a = model.shapes[joint.a], &shape_b = model.shapes[joint.b];
   system.add_force(shape_a, joint.a, fa);
   system.add_force(shape_b, joint.b, fb);
-  const double scale = std::max(a.pose.shift.norm(), b.pose.shift.norm()), stiff = std::ranges::max(stiffness_[j]) * joint.length;
+  const double scale = std::max(a.pose.shift.norm(), b.pose.shift.norm()),
+               stiff = std::ranges::max(stiffness_[j]) * joint.length;
   system.add_rounding(joint.a, stiff, scale);
   system.add_rounding(joint.b, stiff, scale);
   if (shape_a.dofs) system.matrix.add(slots_[j].aa, false, kaa);
@@ -159,23 +162,26 @@ bool JointTerms::may_disagree(const Model& model, const Scheme& scheme, const Ve
   return energy > 0 && energy > allowed_energy * kinetic_of_joints(model, scheme, d);
 }
 
-bool JointTerms::agrees(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d, const std::vector<BlockState>& moved) {
+bool JointTerms::agrees(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
+                        const std::vector<BlockState>& moved) {
   missing_.resize(model.joints.size(), {Vec2(0, 0), Vec2(0, 0), Vec2(0, 0)});
   const Ends ends(model, scheme.dt);
   double energy = 0;
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
     if (!is_intact(model, joint)) continue;
-    const std::array after = {flown(model.shapes[joint.a], moved[joint.a], 0), flown(model.shapes[joint.b], moved[joint.b], 0)};
-    energy += with_size(touches_second_order(joint), [&](auto n) { return find_missing<n>(model, poses, ends, scheme, int(j), d, after); });
+    const std::array after = {flown(model.shapes[joint.a], moved[joint.a], 0),
+                              flown(model.shapes[joint.b], moved[joint.b], 0)};
+    energy += with_size(touches_second_order(joint),
+                        [&](auto n) { return find_missing<n>(model, poses, ends, scheme, int(j), d, after); });
   }
   return energy <= allowed_energy * kinetic_of_joints(model, scheme, d);
 }
 
 // J/m, of the difference from what it was.
 template <int size>
-double JointTerms::find_missing(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int j, const Vector& d,
-                                const std::array<Pose, 2>& after) {
+double JointTerms::find_missing(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int j,
+                                const Vector& d, const std::array<Pose, 2>& after) {
   const Joint& joint = model.joints[j];
   const Pose &a = poses.blocks[joint.a], &b = poses.blocks[joint.b];
   const ColumnOf<size> d_a = of_block<size>(model.shapes[joint.a], d), d_b = of_block<size>(model.shapes[joint.b], d);
@@ -183,10 +189,13 @@ double JointTerms::find_missing(const Model& model, const Poses& poses, const En
   double energy = 0;
   for (int k = 0; k < int(joint.points.size()); ++k) {
     const JointPoint& point = joint.points[size_t(k)];
-    const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at), at = (a.place<size>(in_a) + b.place<size>(in_b)) / 2;
-    const Vec2 linear = jump.at(in_a, in_b) + scheme.bond_d * (b.rows<size>(in_b, at) * d_b - a.rows<size>(in_a, at) * d_a);
+    const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at),
+               at = (a.place<size>(in_a) + b.place<size>(in_b)) / 2;
+    const Vec2 linear =
+        jump.at(in_a, in_b) + scheme.bond_d * (b.rows<size>(in_b, at) * d_b - a.rows<size>(in_a, at) * d_a);
     const Vec2 missing = jump.led_to(after[0], in_a, after[1], in_b) - linear;
-    energy += point.weight * std::ranges::max(stiffness_[size_t(j)]) * (missing - this->missing(j, k)).squaredNorm() / 2;
+    energy +=
+        point.weight * std::ranges::max(stiffness_[size_t(j)]) * (missing - this->missing(j, k)).squaredNorm() / 2;
     missing_[size_t(j)][size_t(k)] = missing;
   }
   return energy;
@@ -204,24 +213,29 @@ double JointTerms::loss_of_turning(const Model& model, const Poses& poses, const
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
     if (!turns(joint)) continue;
-    const std::array after = {flown(model.shapes[joint.a], moved[joint.a], 0), flown(model.shapes[joint.b], moved[joint.b], 0)};
-    sum += with_size(touches_second_order(joint), [&](auto n) { return loss_of_bond<n>(model, poses, ends, scheme, int(j), d, after); });
+    const std::array after = {flown(model.shapes[joint.a], moved[joint.a], 0),
+                              flown(model.shapes[joint.b], moved[joint.b], 0)};
+    sum += with_size(touches_second_order(joint),
+                     [&](auto n) { return loss_of_bond<n>(model, poses, ends, scheme, int(j), d, after); });
   }
   return sum;
 }
 
-// With the bond's energy U(S, g) = S·g + g·kg/2 of flux and jump, the bar for the middle of X, and m for what the step was solved with, its work on the rows' step less
-// what it stores is B(m, (ΔS, T ΔX)) - B(X̄, (ΔS, Δg)), B the form of U. The matrix has B(T w, (ΔS, T ΔX)) of it, as if jumps changed by the rows.
+// With the bond's energy U(S, g) = S·g + g·kg/2 of flux and jump, the bar for the middle of X, and m for what the step
+// was solved with, its work on the rows' step less what it stores is B(m, (ΔS, T ΔX)) - B(X̄, (ΔS, Δg)), B the form of
+// U. The matrix has B(T w, (ΔS, T ΔX)) of it, as if jumps changed by the rows.
 template <int size>
-double JointTerms::loss_of_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int j, const Vector& d,
-                                const std::array<Pose, 2>& after) const {
+double JointTerms::loss_of_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int j,
+                                const Vector& d, const std::array<Pose, 2>& after) const {
   const Joint& joint = model.joints[j];
   const Side a = side_of<size>(model, poses.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
   const Side b = side_of<size>(model, poses.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
   const bool exact = joint.kind == BondKind::exact;
   const Mat2 stiffness = stiffness_about(turned_normal(joint, a.pose, b.pose), stiffness_[j]);
-  const ColumnOf<size> d_a = of_block<size>(model.shapes[joint.a], d), d_b = of_block<size>(model.shapes[joint.b], d), v_a = a.pose.rates<size>(), v_b = b.pose.rates<size>();
-  const ColumnOf<size> step_a = scheme.step_v * v_a + scheme.move_d * d_a, step_b = scheme.step_v * v_b + scheme.move_d * d_b;
+  const ColumnOf<size> d_a = of_block<size>(model.shapes[joint.a], d), d_b = of_block<size>(model.shapes[joint.b], d),
+                       v_a = a.pose.rates<size>(), v_b = b.pose.rates<size>();
+  const ColumnOf<size> step_a = scheme.step_v * v_a + scheme.move_d * d_a,
+                       step_b = scheme.step_v * v_b + scheme.move_d * d_b;
   const double w_d = scheme.bond_d - scheme.move_d / 2;
   const Jump<size> jump(model, ends, joint, scheme);
   double sum = 0;
@@ -230,15 +244,18 @@ double JointTerms::loss_of_bond(const Model& model, const Poses& poses, const En
     const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at);
     const Vec2 at = (a.pose.place<size>(in_a) + b.pose.place<size>(in_b)) / 2;
     const RowsOf<size> ta = a.pose.rows<size>(in_a, at), tb = b.pose.rows<size>(in_b, at);
-    const Vec2 rows_step = tb * step_b - ta * step_a, rows_w = scheme.bond_v * (tb * v_b - ta * v_a) + w_d * (tb * d_b - ta * d_a);
+    const Vec2 rows_step = tb * step_b - ta * step_a,
+               rows_w = scheme.bond_v * (tb * v_b - ta * v_a) + w_d * (tb * d_b - ta * d_a);
     const Vec2 solved = jump.at(in_a, in_b) + missing(j, k) + scheme.bond_d * (tb * d_b - ta * d_a);
-    const Vec2 before = jump.before(in_a, in_b), now = jump.after(after[0], in_a, after[1], in_b), mean = (before + now) / 2;
+    const Vec2 before = jump.before(in_a, in_b), now = jump.after(after[0], in_a, after[1], in_b),
+               mean = (before + now) / 2;
     Vec2 flux_step = Vec2::Zero(), flux = flux_step;
     if (exact) {
       flux_step = a.flux<size>(in_a) * step_a + b.flux<size>(in_b) * step_b;
       flux = mean_flux(a, in_a, b, in_b, -scheme.mid) + flux_step / 2;
     }
-    sum += point.weight * ((solved - mean - rows_w).dot(flux_step + stiffness * rows_step) - (now - before - rows_step).dot(flux + stiffness * mean));
+    sum += point.weight * ((solved - mean - rows_w).dot(flux_step + stiffness * rows_step) -
+                           (now - before - rows_step).dot(flux + stiffness * mean));
   }
   return sum;
 }
@@ -287,8 +304,8 @@ std::array<Vec3, 2> JointTerms::strain_of_jump(const Model& model, int j, double
   const std::array poses = {flown(model, joint.a, 0), flown(model, joint.b, 0)};
   Vec2 moment = Vec2::Zero();  // m2, of the jump along the joint
   for (const JointPoint& point : joint.points)
-    moment += point.weight * jump_ahead<max_dofs>(poses[0], between(joint.in_a, point.at), poses[1], between(joint.in_b, point.at),
-                                                  spin_of(model, joint), ahead);
+    moment += point.weight * jump_ahead<max_dofs>(poses[0], between(joint.in_a, point.at), poses[1],
+                                                  between(joint.in_b, point.at), spin_of(model, joint), ahead);
   const std::array blocks = {joint.a, joint.b};
   const std::array weights = {joint.weight_a, joint.weight_b};
   const Vec2& n = joint.normal;

@@ -22,14 +22,18 @@ class JointTerms {
   void prepare(const Model& model);  // stiffnesses; again when Model::revision has changed
   void find_slots(const Model& model, const BlockMatrix& matrix);
   void add(const Model& model, const Poses& poses, const Scheme& scheme, System& system) const;
-  // A step is solved with jumps that are linear in d about turning at the spin it begins with. Where that is another at its end, as after a
-  // hit, they are not those of `moved`, where d leads: from then on, until begin(), they are linear about this d. Whether they agreed.
-  bool agrees(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d, const std::vector<BlockState>& moved);
+  // A step is solved with jumps that are linear in d about turning at the spin it begins with. Where that is another at
+  // its end, as after a hit, they are not those of `moved`, where d leads: from then on, until begin(), they are linear
+  // about this d. Whether they agreed.
+  bool agrees(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
+              const std::vector<BlockState>& moved);
   // Whether they may not, by the change of spins alone.
   bool may_disagree(const Model& model, const Scheme& scheme, const Vector& d) const;
   void begin() { missing_.clear(); }
-  // J/m, of a step to `moved`: the integrator's loss in bonds of blocks that turn (step/ledger.cpp), less what the matrix makes of it.
-  double loss_of_turning(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d, const std::vector<BlockState>& moved) const;
+  // J/m, of a step to `moved`: the integrator's loss in bonds of blocks that turn (step/ledger.cpp), less what the
+  // matrix makes of it.
+  double loss_of_turning(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
+                         const std::vector<BlockState>& moved) const;
   // Tractions, openings and slips of the joints' points in the model's present state.
   void store_tractions(Model& model) const;
 
@@ -37,11 +41,13 @@ class JointTerms {
   double energy(const Model& model, double ahead) const;
   double energy_of(const Model& model, int joint, double ahead) const;  // whether intact or not
 
-  // εx, εy, γxy in the axes of blocks a and b: what the jump g of an exact bond adds to their strain, (w L/A) sym(n ⊗ g), with
-  // which the work of {σ}n on g is that of the stress on a strain (the lifting of discontinuous Galerkin methods; theory, § 4).
+  // εx, εy, γxy in the axes of blocks a and b: what the jump g of an exact bond adds to their strain, (w L/A) sym(n ⊗
+  // g), with which the work of {σ}n on g is that of the stress on a strain (the lifting of discontinuous Galerkin
+  // methods; theory, § 4).
   std::array<Vec3, 2> strain_of_jump(const Model& model, int joint, double ahead) const;
 
-  // Pa, {σ}n of an exact bond in the joint's axes at the place `at` along it, whether intact or not; nothing for springs.
+  // Pa, {σ}n of an exact bond in the joint's axes at the place `at` along it, whether intact or not; nothing for
+  // springs.
   BondTraction flux(const Model& model, int joint, double at) const;
 
   // N/m3: {normal, shear} stiffness per area of joint `j`; k twice for an exact bond.
@@ -51,18 +57,22 @@ class JointTerms {
  private:
   double energy_of(const Model& model, int joint, const Pose& a, const Pose& b, double ahead) const;
   template <int size>  // of the larger block's unknowns
-  void add_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int joint, System& system) const;
+  void add_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int joint,
+                System& system) const;
   template <int size>
-  double find_missing(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int joint, const Vector& d,
-                      const std::array<Pose, 2>& after);
-  Vec2 missing(int joint, int point) const { return missing_.empty() ? Vec2(0, 0) : missing_[size_t(joint)][size_t(point)]; }
+  double find_missing(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int joint,
+                      const Vector& d, const std::array<Pose, 2>& after);
+  Vec2 missing(int joint, int point) const {
+    return missing_.empty() ? Vec2(0, 0) : missing_[size_t(joint)][size_t(point)];
+  }
   template <int size>
-  double loss_of_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int joint, const Vector& d,
-                      const std::array<Pose, 2>& after) const;
+  double loss_of_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int joint,
+                      const Vector& d, const std::array<Pose, 2>& after) const;
 
   std::vector<std::array<double, 2>> stiffness_;
   std::vector<double> ground_stiffness_;
-  std::vector<std::array<Vec2, JointPoints::most>> missing_;  // m, per joint and point, what jumps are more than linear; empty: none
+  // m, per joint and point, what jumps are more than linear; empty: none
+  std::vector<std::array<Vec2, JointPoints::most>> missing_;
   struct Slots {
     BlockMatrix::Slot aa, bb, ab;
   };

@@ -5,7 +5,9 @@
 namespace talus {
 
 // Whether a block beside is of second order: build() has given the joint a third point then.
-inline bool touches_second_order(const Joint& joint) { return joint.points.size() == JointPoints::most; }
+inline bool touches_second_order(const Joint& joint) {
+  return joint.points.size() == JointPoints::most;
+}
 
 // All blocks that are awake at both ends of the step, flown once for all their bonds.
 struct Ends {
@@ -47,7 +49,8 @@ class Jump {
         from_end_(Rotation::of(spin_ * (scheme.mid - scheme.dt))),
         arc_(arc(ends.start[joint.b].centroid - ends.start[joint.a].centroid)) {}
 
-  // At d = 0, between material points of both blocks, turned to the configuration of linearisation; see Scheme::bond_end.
+  // At d = 0, between material points of both blocks, turned to the configuration of linearisation; see
+  // Scheme::bond_end.
   Vec2 at(const Vec2& in_a, const Vec2& in_b) const {
     return (1 - scheme_.bond_end) * from_start_.turn(ahead(start_, in_a, in_b)) +
            scheme_.bond_end * from_end_.turn(ahead(end_, in_a, in_b)) + arc_;
@@ -60,16 +63,21 @@ class Jump {
     return (1 - scheme_.bond_end) * from_start_.turn(start) + scheme_.bond_end * from_end_.turn(end);
   }
   // As the step begins, and where it has led, turned likewise.
-  Vec2 before(const Vec2& in_a, const Vec2& in_b) const { return from_start_.turn(jump_ahead<n>(*start_[0], in_a, *start_[1], in_b, spin_, 0)); }
-  Vec2 after(const Pose& a, const Vec2& in_a, const Pose& b, const Vec2& in_b) const { return from_end_.turn(jump_ahead<n>(a, in_a, b, in_b, spin_, 0)); }
+  Vec2 before(const Vec2& in_a, const Vec2& in_b) const {
+    return from_start_.turn(jump_ahead<n>(*start_[0], in_a, *start_[1], in_b, spin_, 0));
+  }
+  Vec2 after(const Pose& a, const Vec2& in_a, const Pose& b, const Vec2& in_b) const {
+    return from_end_.turn(jump_ahead<n>(a, in_a, b, in_b, spin_, 0));
+  }
 
  private:
   Vec2 ahead(const std::array<const Pose*, 2>& poses, const Vec2& in_a, const Vec2& in_b) const {
     return jump_ahead<n>(*poses[0], in_a, *poses[1], in_b, spin_, scheme_.bond_ahead);
   }
 
-  // The step is linear in d about straight flight. About the d with which one centroid goes round the other, by Cayley's angle as BlockShape::turn,
-  // it is the same but for this: what the jump at the end is there, less what the rows of the step's middle make of that d.
+  // The step is linear in d about straight flight. About the d with which one centroid goes round the other, by
+  // Cayley's angle as BlockShape::turn, it is the same but for this: what the jump at the end is there, less what the
+  // rows of the step's middle make of that d.
   Vec2 arc(const Vec2& apart) const {
     const double turn = spin_ * scheme_.dt;
     const Vec2 d = -turn * turn / (2 + turn * turn / 2) * (2 * apart + turn * perp(apart)), way = scheme_.move_d * d;
@@ -78,7 +86,7 @@ class Jump {
   }
 
   const Scheme& scheme_;
-  double spin_;  // rad/s, of the pair
+  double spin_;                             // rad/s, of the pair
   std::array<const Pose*, 2> start_, end_;  // of blocks a and b
   Rotation from_start_, from_end_;
   Vec2 arc_;

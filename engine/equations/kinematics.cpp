@@ -53,7 +53,8 @@ void Poses::place_vertices(const Model& model) {
       if (placed_[b]) continue;
       placed_[b] = 1;
       const BlockShape& shape = model.shapes[b];
-      for (int i = shape.vertex_begin; i < shape.vertex_end; ++i) vertex[i] = blocks[b].place(model.reference_vertex[i]);
+      for (int i = shape.vertex_begin; i < shape.vertex_end; ++i)
+        vertex[i] = blocks[b].place(model.reference_vertex[i]);
     }
 }
 

@@ -17,13 +17,13 @@ struct PoseBend {
   BendArray now, rate;  // m, m/s
 };
 
-// What has a size asks for the bend only where second-order blocks may be among others: n = first_order_dofs says there are
-// none, and saves all of it.
+// What has a size asks for the bend only where second-order blocks may be among others: n = first_order_dofs says there
+// are none, and saves all of it.
 struct Pose {
   Vec2 shift, centroid;
   Rotation rotation;
-  Vec3 strain;     // block axes
-  double length;   // m, the block's scale
+  Vec3 strain;    // block axes
+  double length;  // m, the block's scale
   std::array<double, first_order_dofs> velocity;
   Apart<PoseBend> bend;
 
@@ -56,8 +56,8 @@ struct Pose {
     const Vec2 x = rotation.back(at - centroid) / length, n = rotation.back(direction);
     const double a = 1 + strain[0], b = strain[2] / 2, c = 1 + strain[1], det = a * c - b * b;
     const Vec2 arm((c * x.x() - b * x.y()) / det, (a * x.y() - b * x.x()) / det);
-    return {direction.x(), direction.y(), cross(x, n), arm.x() * n.x(), arm.y() * n.y(),
-            (arm.y() * n.x() + arm.x() * n.y()) / 2};
+    return {direction.x(),   direction.y(),   cross(x, n),
+            arm.x() * n.x(), arm.y() * n.y(), (arm.y() * n.x() + arm.x() * n.y()) / 2};
   }
   template <int n = max_dofs>
   Vec2 velocity_at(const Vec2& in_block) const {
@@ -125,10 +125,12 @@ double dot(const std::array<double, n>& row, const double* values, int count) {
   for (int k = 0; k < count; ++k) sum += row[k] * values[k];
   return sum;
 }
-inline double dot(const Row& row, const Rates& rates) { return dot(row, rates.data(), int(rates.size())); }
+inline double dot(const Row& row, const Rates& rates) {
+  return dot(row, rates.data(), int(rates.size()));
+}
 
-// Where a block gets in `seconds` by its own velocity: straight flight of the centroid, exact rotation. The last fills in a pose that is new, or
-// was that block's before.
+// Where a block gets in `seconds` by its own velocity: straight flight of the centroid, exact rotation. The last fills
+// in a pose that is new, or was that block's before.
 Pose flown(const BlockShape& shape, const BlockState& state, double seconds);
 Pose flown(const Model& model, int block, double seconds);
 void fly(const BlockShape& shape, const BlockState& state, double seconds, Pose& pose);

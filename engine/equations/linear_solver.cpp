@@ -16,8 +16,8 @@ namespace talus {
 
 namespace {
 
-// What is used of CHOLMOD, which is loaded with the first solver: it and its BLAS take 5 ms, a third of what the program
-// would take to start, and reading or checking a scene needs neither.
+// What is used of CHOLMOD, which is loaded with the first solver: it and its BLAS take 5 ms, a third of what the
+// program would take to start, and reading or checking a scene needs neither.
 struct CholmodLibrary {
   void* handle;
   decltype(&cholmod_start) start;
@@ -28,13 +28,14 @@ struct CholmodLibrary {
   decltype(&cholmod_factorize) factorize;
 
   CholmodLibrary() {
-    // OpenBLAS takes processors that are newer than itself for ones of 2004, at a quarter of their speed: told what to use where
-    // nobody else has.
+    // OpenBLAS takes processors that are newer than itself for ones of 2004, at a quarter of their speed: told what to
+    // use where nobody else has.
     const char* const core = __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") ? "SkylakeX"
                              : __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")        ? "Haswell"
                                                                                                       : nullptr;
     const Told core_type("OPENBLAS_CORETYPE", core);
-    const Told threads("OPENBLAS_NUM_THREADS", "1");  // the others would be started, and wait for work for some 0.1 s of CPU
+    // the others would be started, and wait for work for some 0.1 s of CPU
+    const Told threads("OPENBLAS_NUM_THREADS", "1");
     handle = dlopen(name().c_str(), RTLD_NOW | RTLD_LOCAL);
     find("cholmod_start", start);
     find("cholmod_finish", finish);
@@ -135,12 +136,8 @@ struct LinearSolver::Cholmod {
   SupernodalFactor supernodes() const {
     const auto ints = [](const void* from, size_t count) { return std::span(static_cast<const int*>(from), count); };
     const cholmod_factor& l = *factor;
-    return {ints(l.Perm, l.n),
-            ints(l.super, l.nsuper + 1),
-            ints(l.pi, l.nsuper + 1),
-            ints(l.px, l.nsuper + 1),
-            ints(l.s, l.ssize),
-            std::span(static_cast<const double*>(l.x), l.xsize)};
+    return {ints(l.Perm, l.n),        ints(l.super, l.nsuper + 1), ints(l.pi, l.nsuper + 1),
+            ints(l.px, l.nsuper + 1), ints(l.s, l.ssize),          std::span(static_cast<const double*>(l.x), l.xsize)};
   }
 
   // Approximate minimum degree of the graph of blocks, spread out to unknowns: 3–4 times cheaper than on the

@@ -20,10 +20,11 @@ class LinearSolver {
   int factor(const BlockMatrix& matrix);
   // x = K⁻¹ b with the last factor.
   void solve(const Vector& b, Vector& x);
-  // The same with an error of up to 1e-4 of x, in half the time: for iterations that solve() ends. The first after each factor is
-  // exact, and finds whether that error is kept; where it is not all are.
+  // The same with an error of up to 1e-4 of x, in half the time: for iterations that solve() ends. The first after each
+  // factor is exact, and finds whether that error is kept; where it is not all are.
   void solve_coarsely(const Vector& b, Vector& x);
-  // The same for the unknowns of `part` alone, where b is nought beyond them; x elsewhere is of no use. part(): for these, of the last factor.
+  // The same for the unknowns of `part` alone, where b is nought beyond them; x elsewhere is of no use. part(): for
+  // these, of the last factor.
   void solve_coarsely(const Vector& b, Vector& x, const FactorPart& part);
   FactorPart part(std::span<const int> unknowns) const;
   // Of the last factor, which it reads: no columns may be added after the next.

@@ -86,7 +86,9 @@ static Vec3 stress_of(const Model& model, int block, const Vec2& in_block, const
   return turn_stress(Rotation::of(base + angle), initial + elasticity(model.material(block)) * strain);
 }
 
-Recovery::Recovery(const Model& model) { update(model); }
+Recovery::Recovery(const Model& model) {
+  update(model);
+}
 
 void Recovery::connect(const Model& model) {
   const int blocks = int(model.shapes.size());
@@ -129,8 +131,8 @@ void Recovery::connect(const Model& model) {
   }
 }
 
-// The middle of an edge is shared across a bond of two second-order blocks; a first-order block has only a straight line
-// to say there.
+// The middle of an edge is shared across a bond of two second-order blocks; a first-order block has only a straight
+// line to say there.
 void Recovery::connect_middles(const Model& model) {
   middle_of_edge_.clear();
   if (model.quadratic_shapes.empty()) return;
@@ -144,7 +146,9 @@ void Recovery::connect_middles(const Model& model) {
       while (!at_node(end)) end = model.next_vertex(b, end);
       const int v = shape.vertex_begin + k;
       middle_of_edge_[size_t(v)] = int(corner_position_.size());
-      corner_position_.push_back(shape.reference_centroid + (model.reference_vertex[size_t(v)] + model.reference_vertex[size_t(shape.vertex_begin + end)]) / 2);
+      corner_position_.push_back(
+          shape.reference_centroid +
+          (model.reference_vertex[size_t(v)] + model.reference_vertex[size_t(shape.vertex_begin + end)]) / 2);
     }
   }
   for (const Joint& joint : model.joints) {
@@ -191,7 +195,8 @@ bool Recovery::take_middles(const BlockShape& shape, const Vec2& at, Patch& patc
     const int middle = middle_of_edge_[v];
     if (middle < 0 || (corner_position_[middle] - at).norm() > patch.radius) continue;
     near = true;
-    if (std::find(patch.corners.begin(), patch.corners.end(), middle) == patch.corners.end()) patch.corners.push_back(middle);
+    if (std::find(patch.corners.begin(), patch.corners.end(), middle) == patch.corners.end())
+      patch.corners.push_back(middle);
   }
   return near;
 }

@@ -6,17 +6,18 @@
 // Everything is linearised about the configuration the velocities reach at mid-step (exact rotation), and
 //   bulk and bonds act on the strain  v0 · bond_v  + d · bond_d     beyond it (bonds: see bond_end),
 //   contacts act on the gap           v0 · contact_v + d · contact_d beyond it,
-//   shear springs of contacts stretch by v0 · Δt_x + d · contact_d, and of a held block, whose d is nought, by bond_ahead times what it gets faster.
+//   shear springs of contacts stretch by v0 · Δt_x + d · contact_d, and of a held block, whose d is nought, by
+//   bond_ahead times what it gets faster.
 // Momentum: M d · inertia = forces.  docs/theory.md derives the coefficients and what they conserve.
 #include "scene/scene.h"
 
 namespace talus {
 
 struct Scheme {
-  double dt = 0;         // s
-  double mid = 0;        // s, from the start to the configuration of linearisation
-  double inertia = 0;    // 1/s2
-  double velocity_d = 0; // 1/s
+  double dt = 0;          // s
+  double mid = 0;         // s, from the start to the configuration of linearisation
+  double inertia = 0;     // 1/s2
+  double velocity_d = 0;  // 1/s
   double step_v = 0, move_d = 0;
   double bond_v = 0, bond_d = 0;
   // A bond's jump is weighed from its two ends of the step, each in the axes that turn with the blocks, because

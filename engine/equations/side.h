@@ -18,8 +18,8 @@ struct Side {
   const Pose& pose;
   Mat3 elasticity;
   Vec3 initial_stress;
-  Vec2 normal;    // reference
-  double weight;  // share in the flux
+  Vec2 normal;                      // reference
+  double weight;                    // share in the flux
   const QuadraticShape* quadratic;  // of a second-order block
 
   Vec2 traction(const Vec3& strain) const {

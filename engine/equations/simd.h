@@ -1,6 +1,6 @@
 #pragma once
-// TALUS_WIDE before a function: compiled for processors of several generations, of which the loader takes the one that is there. For the few
-// loops that take most of a run, as the program is built for any x86-64.
+// TALUS_WIDE before a function: compiled for processors of several generations, of which the loader takes the one that
+// is there. For the few loops that take most of a run, as the program is built for any x86-64.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
 #define TALUS_WIDE __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else  // The sanitizer's own code would run before it is set up, as the loader chooses.

@@ -42,15 +42,20 @@ TALUS_WITHIN void sum_up(const Wide<Scalar> (&parts)[4], Scalar (&sums)[4]) {
   using Half = Register<Scalar>::Half;
   Half half[4];
   for (int m = 0; m < 4; ++m)
-    half[m] = __builtin_shufflevector(parts[m], parts[m], 0, 1, 2, 3) + __builtin_shufflevector(parts[m], parts[m], 4, 5, 6, 7);
-  const Half first = __builtin_shufflevector(half[0], half[1], 0, 4, 2, 6) + __builtin_shufflevector(half[0], half[1], 1, 5, 3, 7);
-  const Half second = __builtin_shufflevector(half[2], half[3], 0, 4, 2, 6) + __builtin_shufflevector(half[2], half[3], 1, 5, 3, 7);
-  const Half all = __builtin_shufflevector(first, second, 0, 1, 4, 5) + __builtin_shufflevector(first, second, 2, 3, 6, 7);
+    half[m] = __builtin_shufflevector(parts[m], parts[m], 0, 1, 2, 3) +
+              __builtin_shufflevector(parts[m], parts[m], 4, 5, 6, 7);
+  const Half first =
+      __builtin_shufflevector(half[0], half[1], 0, 4, 2, 6) + __builtin_shufflevector(half[0], half[1], 1, 5, 3, 7);
+  const Half second =
+      __builtin_shufflevector(half[2], half[3], 0, 4, 2, 6) + __builtin_shufflevector(half[2], half[3], 1, 5, 3, 7);
+  const Half all =
+      __builtin_shufflevector(first, second, 0, 1, 4, 5) + __builtin_shufflevector(first, second, 2, 3, 6, 7);
   for (int m = 0; m < 4; ++m) sums[m] = all[m];
 }
 
-// Columns of the factor: `height` values each, from the rows of its own columns on. Most have six columns and twenty to forty rows: what is
-// beyond the last row is read and left with them, the beginning of the next column, and the rows of w go on with zeros. Where `to_the_end` no column follows.
+// Columns of the factor: `height` values each, from the rows of its own columns on. Most have six columns and twenty to
+// forty rows: what is beyond the last row is read and left with them, the beginning of the next column, and the rows of
+// w go on with zeros. Where `to_the_end` no column follows.
 template <class Scalar, bool to_the_end>
 struct Supernode {
   int columns, height;
@@ -121,8 +126,10 @@ struct Place {
   const int* rows;
   Scalar *own, *part;
 
-  TALUS_WITHIN Place(const SupernodalFactor& whole, size_t s, const Scalar* values, const Scalar* inverse, Scalar* y, Scalar* room)
-      : node{whole.first[s + 1] - whole.first[s], whole.row_begin[s + 1] - whole.row_begin[s], values + whole.value_begin[s], inverse + whole.first[s]},
+  TALUS_WITHIN Place(const SupernodalFactor& whole, size_t s, const Scalar* values, const Scalar* inverse, Scalar* y,
+                     Scalar* room)
+      : node{whole.first[s + 1] - whole.first[s], whole.row_begin[s + 1] - whole.row_begin[s],
+             values + whole.value_begin[s], inverse + whole.first[s]},
         rows(whole.rows.data() + whole.row_begin[s]),
         own(y + whole.first[s]),
         part(room) {
@@ -142,24 +149,26 @@ struct Place {
 
 // y becomes (L Lᵀ)⁻¹ y, by supernodes of which each leads to others among them.
 template <class Scalar>
-TALUS_WITHIN void substitute_in(const SupernodalFactor& whole, std::span<const int> supernodes, const Scalar* values, const Scalar* inverse, Scalar* y,
-                                Scalar* part) {
+TALUS_WITHIN void substitute_in(const SupernodalFactor& whole, std::span<const int> supernodes, const Scalar* values,
+                                const Scalar* inverse, Scalar* y, Scalar* part) {
   const bool with_last = size_t(supernodes.back()) == whole.first.size() - 2;
   const size_t last = whole.first.size() - 2, others = supernodes.size() - with_last;
-  for (size_t k = 0; k < others; ++k) Place<Scalar, false>(whole, size_t(supernodes[k]), values, inverse, y, part).forward(y);
+  for (size_t k = 0; k < others; ++k)
+    Place<Scalar, false>(whole, size_t(supernodes[k]), values, inverse, y, part).forward(y);
   if (with_last) {
     Place<Scalar, true>(whole, last, values, inverse, y, part).forward(y);
     Place<Scalar, true>(whole, last, values, inverse, y, part).backward(y);
   }
-  for (size_t k = others; k-- > 0;) Place<Scalar, false>(whole, size_t(supernodes[k]), values, inverse, y, part).backward(y);
+  for (size_t k = others; k-- > 0;)
+    Place<Scalar, false>(whole, size_t(supernodes[k]), values, inverse, y, part).backward(y);
 }
 
-TALUS_WIDE void substitute(const SupernodalFactor& whole, std::span<const int> supernodes, const float* values, const float* inverse, float* y,
-                           float* part) {
+TALUS_WIDE void substitute(const SupernodalFactor& whole, std::span<const int> supernodes, const float* values,
+                           const float* inverse, float* y, float* part) {
   substitute_in(whole, supernodes, values, inverse, y, part);
 }
-TALUS_WIDE void substitute(const SupernodalFactor& whole, std::span<const int> supernodes, const double* values, const double* inverse, double* y,
-                           double* part) {
+TALUS_WIDE void substitute(const SupernodalFactor& whole, std::span<const int> supernodes, const double* values,
+                           const double* inverse, double* y, double* part) {
   substitute_in(whole, supernodes, values, inverse, y, part);
 }
 
@@ -167,7 +176,8 @@ TALUS_WIDE void substitute(const SupernodalFactor& whole, std::span<const int> s
 
 FactorPart part_of(const SupernodalFactor& factor, std::span<const int> unknowns) {
   const size_t count = factor.first.size() - 1;
-  std::vector<char> wanted(factor.order.size(), 0), reached(factor.order.size(), 0);  // of unknowns; of places in the factor's order
+  // of unknowns; of places in the factor's order
+  std::vector<char> wanted(factor.order.size(), 0), reached(factor.order.size(), 0);
   for (const int unknown : unknowns) wanted[size_t(unknown)] = 1;
   FactorPart part;
   for (size_t s = 0; s < count; ++s) {
@@ -177,14 +187,16 @@ FactorPart part_of(const SupernodalFactor& factor, std::span<const int> unknowns
     if (!any) continue;
     part.supernodes.push_back(int(s));
     for (int k = first; k < end; ++k) part.unknowns.push_back(k);
-    if (row < factor.row_begin[s + 1]) reached[size_t(factor.rows[size_t(row)])] = 1;  // its parent in the elimination tree
+    // its parent in the elimination tree
+    if (row < factor.row_begin[s + 1]) reached[size_t(factor.rows[size_t(row)])] = 1;
   }
   return part;
 }
 
 template <class Scalar>
 bool SupernodalSolve<Scalar>::take(const SupernodalFactor& factor) {
-  constexpr double least = 1e-15, largest = 1e15;  // their products with unknowns near one stay in the range of single precision
+  // their products with unknowns near one stay in the range of single precision
+  constexpr double least = 1e-15, largest = 1e15;
   whole_ = factor;
   all_.supernodes.resize(factor.first.size() - 1);
   all_.unknowns.resize(factor.order.size());

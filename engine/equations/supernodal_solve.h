@@ -1,7 +1,8 @@
 #pragma once
-// Back-substitution with a supernodal Cholesky factor in one loop: few blocks make supernodes of a few columns, and a call of BLAS for
-// each is half of what a solve takes. In double precision on CHOLMOD's own values; in single precision on a copy, half the memory, which
-// the solve of a large system is bound by, for iterations whose end does not depend on it: it leaves cond(K) × 6e-8 of the solution out.
+// Back-substitution with a supernodal Cholesky factor in one loop: few blocks make supernodes of a few columns, and a
+// call of BLAS for each is half of what a solve takes. In double precision on CHOLMOD's own values; in single precision
+// on a copy, half the memory, which the solve of a large system is bound by, for iterations whose end does not depend
+// on it: it leaves cond(K) × 6e-8 of the solution out.
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -10,14 +11,16 @@
 
 namespace talus {
 
-// A supernodal factor P K Pᵀ = L Lᵀ, as CHOLMOD has it. Of supernode s: columns first[s] up to first[s + 1]; the rows of each, its own
-// columns foremost, rows[row_begin[s]…]; the values, column by column with all rows of each, values[value_begin[s]…].
+// A supernodal factor P K Pᵀ = L Lᵀ, as CHOLMOD has it. Of supernode s: columns first[s] up to first[s + 1]; the rows
+// of each, its own columns foremost, rows[row_begin[s]…]; the values, column by column with all rows of each,
+// values[value_begin[s]…].
 struct SupernodalFactor {
   std::span<const int> order, first, row_begin, value_begin, rows;
   std::span<const double> values;
 };
 
-// The part of a factor that solves for some unknowns under forces on them alone: the supernodes that they lie in and all that those lead to.
+// The part of a factor that solves for some unknowns under forces on them alone: the supernodes that they lie in and
+// all that those lead to.
 struct FactorPart {
   std::vector<int> supernodes;  // rising
   std::vector<int> unknowns;    // of these, in the order of the factor
@@ -27,7 +30,8 @@ FactorPart part_of(const SupernodalFactor& factor, std::span<const int> unknowns
 template <class Scalar>
 class SupernodalSolve {
  public:
-  // Whether it can be had: its values are in the range of Scalar. The arrays have to last, values where they are not copied.
+  // Whether it can be had: its values are in the range of Scalar. The arrays have to last, values where they are not
+  // copied.
   bool take(const SupernodalFactor& factor);
   // x = K⁻¹ b.
   void solve(const Vector& b, Vector& x) { solve(b, x, all_); }

@@ -29,10 +29,12 @@ Vec2 gap_at_rest(const Model& model, const SupportPoint& point, double t) {
 
 // Where y is not X, as it was solved for.
 Vec2 gap_now(const Model& model, const SupportPoint& point, double ahead) {
-  return ahead == 0 || model.support_gaps.empty() ? gap_at_rest(model, point, model.time) : model.support_gaps[size_t(point.number)];
+  return ahead == 0 || model.support_gaps.empty() ? gap_at_rest(model, point, model.time)
+                                                  : model.support_gaps[size_t(point.number)];
 }
 
-// m, of where a fixity is at y as a step of dt ends: as it would go on. It may jump then, which no block that it holds can know.
+// m, of where a fixity is at y as a step of dt ends: as it would go on. It may jump then, which no block that it holds
+// can know.
 Vec2 wanted_at_end(const Model& model, const Fixity& fixity, const Scheme& scheme) {
   const double end = model.time + scheme.dt;
   return model.moved(fixity, end) + scheme.bond_ahead * fixity.speed(end, scheme.dt);
@@ -64,13 +66,14 @@ void Supports::prepare(const Model& model, const std::vector<double>& edge_stiff
   points_.clear();
   for (const PointFixity& p : model.point_fixities)
     if (model.shapes[p.block].dofs > 0)
-      points_.push_back({int(points_.size()), p.fixity, p.block, p.in_block, Vec2::Zero(), 1, point_stiffness * model.material(p.block).young});
+      points_.push_back({int(points_.size()), p.fixity, p.block, p.in_block, Vec2::Zero(), 1,
+                         point_stiffness * model.material(p.block).young});
   for (size_t e = 0; e < model.edge_fixities.size(); ++e) {
     const EdgeFixity& edge = model.edge_fixities[e];
     if (model.shapes[edge.block].dofs == 0) continue;
     for (const GaussPoint& point : gauss_points(model.shapes[edge.block]))
-      points_.push_back({int(points_.size()), edge.fixity, edge.block, between(edge.in_block, point.at), edge.normal, edge.length * point.share,
-                         edge_stiffness[e]});
+      points_.push_back({int(points_.size()), edge.fixity, edge.block, between(edge.in_block, point.at), edge.normal,
+                         edge.length * point.share, edge_stiffness[e]});
   }
 }
 
@@ -82,7 +85,8 @@ void Supports::add(const Model& model, const Poses& poses, const Scheme& scheme,
     with_size(shape.second_order(), [&](auto n) {
       const auto [t, s, gap, traction] = held_at<n>(model, point, pose, scheme);
       const double w = point.weight, k = point.stiffness;
-      system.add_force(shape, point.block, ColumnOf<n>(w * (t.transpose() * (traction + k * gap) - s.transpose() * gap)));
+      system.add_force(shape, point.block,
+                       ColumnOf<n>(w * (t.transpose() * (traction + k * gap) - s.transpose() * gap)));
       if (point.normal != Vec2::Zero()) system.add_rounding(point.block, k * w, pose.shift.norm());
       system.matrix.add(
           system.matrix.slot(point.block, point.block), false,
@@ -114,9 +118,7 @@ Supports::Work Supports::work(const Model& model, const Poses& poses, const Sche
       const Fixity& fixity = model.scene.fixities[point.fixity];
       const auto [t, s, gap, traction] = held_at<n>(model, point, poses.blocks[point.block], scheme);
       const Mat2 held = held_directions(fixity);
-      const auto wanted = [&](double seconds) -> Vec2 {
-        return held * fixity.moved(model.time + seconds);
-      };
+      const auto wanted = [&](double seconds) -> Vec2 { return held * fixity.moved(model.time + seconds); };
       const BlockShape& shape = model.shapes[point.block];
       const ColumnOf<n> own = of_block<n>(shape, d);
       const ColumnOf<n> v0 = model.blocks[point.block].velocity.column<n>();
@@ -133,8 +135,10 @@ Supports::Work Supports::work(const Model& model, const Poses& poses, const Sche
       if (fixity.motion == Fixity::none) return;
       const Vec2 force = point.weight * (traction + scheme.bond_d * (s * own) + point.stiffness * mean);
       // Before the first step as it begins, past what jumps then.
-      const Vec2 from = model.support_speeds.empty() ? fixity.speed(model.time + scheme.dt / 32, scheme.dt) : model.support_speeds[size_t(point.fixity)];
-      const Vec2 moved_x = wanted(scheme.dt) - wanted(0), moved_y = moved_x + held * (ahead1 * fixity.speed(model.time + scheme.dt, scheme.dt) - ahead0 * from);
+      const Vec2 from = model.support_speeds.empty() ? fixity.speed(model.time + scheme.dt / 32, scheme.dt)
+                                                     : model.support_speeds[size_t(point.fixity)];
+      const Vec2 moved_x = wanted(scheme.dt) - wanted(0),
+                 moved_y = moved_x + held * (ahead1 * fixity.speed(model.time + scheme.dt, scheme.dt) - ahead0 * from);
       sum.boundary += force.dot(moved_y);
       sum.numerical += force.dot(moved_y - moved_x);
     });
@@ -151,14 +155,16 @@ std::vector<Vec2> Supports::gaps(const Model& model) const {
 void Supports::store(const Poses& poses, const Scheme& scheme, const Vector& d, Model& model) const {
   model.support_tractions.resize(points_.size(), Vec2::Zero());
   model.support_speeds.clear();
-  for (const Fixity& fixity : model.scene.fixities) model.support_speeds.push_back(fixity.speed(model.time + scheme.dt, scheme.dt));
+  for (const Fixity& fixity : model.scene.fixities)
+    model.support_speeds.push_back(fixity.speed(model.time + scheme.dt, scheme.dt));
   for (const SupportPoint& point : points_) {
     if (model.sleeps(point.block)) continue;
     with_size(model.shapes[point.block].second_order(), [&](auto n) {
       const Held<n> held = held_at<n>(model, point, poses.blocks[point.block], scheme);
       const ColumnOf<n> own = of_block<n>(model.shapes[point.block], d);
       const Vec2 mean = held.gap - scheme.bond_d * (held.displacement * own);
-      model.support_tractions[size_t(point.number)] = held.traction + scheme.bond_d * (held.flux * own) + point.stiffness * mean;
+      model.support_tractions[size_t(point.number)] =
+          held.traction + scheme.bond_d * (held.flux * own) + point.stiffness * mean;
       if (scheme.bond_ahead == 0) return;
       Vec2& gap = model.support_gaps[size_t(point.number)];
       gap = (mean - (1 - scheme.bond_end) * gap) / scheme.bond_end;
@@ -172,9 +178,11 @@ std::vector<Vec2> Supports::reactions(const Model& model, double t) const {
     const auto at_rest = [&] {
       const Pose pose = flown(model, point.block, 0);
       const Vec2 traction = side_of(model, pose, point.block, point.normal, 1).traction_at(point.in_block, 0);
-      return Vec2(held_directions(model.scene.fixities[point.fixity]) * traction + point.stiffness * gap_at_rest(model, point, t));
+      return Vec2(held_directions(model.scene.fixities[point.fixity]) * traction +
+                  point.stiffness * gap_at_rest(model, point, t));
     };
-    sum[point.fixity] += point.weight * (model.support_tractions.empty() ? at_rest() : model.support_tractions[size_t(point.number)]);
+    sum[point.fixity] +=
+        point.weight * (model.support_tractions.empty() ? at_rest() : model.support_tractions[size_t(point.number)]);
   }
   return sum;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Fixed points and edges bonded to the ground. A point is held by a spring, an edge by Nitsche's terms at two
-// Gauss points, three of a second-order block; with g = (where the fixity wants the point) - (displacement of the block) in the held directions
+// Gauss points, three of a second-order block; with g = (where the fixity wants the point) - (displacement of the
+// block) in the held directions
 //   force on the block  t = {σ}n + k g  (a point without {σ}n),   energy  {σ}n · g + ½ k g · g.
 // Like the jump of a bond, the displacement is weighed from both ends of the step (Scheme::bond_end): straight
 // flight alone would take a block that swings on a pin (ω Δt)² of its size away from it, times a very stiff
@@ -35,13 +36,14 @@ class Supports {
   Work work(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
             const std::vector<BlockState>& moved, double ahead0, double ahead1) const;
 
-  // For Model::support_gaps before the first step: as the blocks lie. What moves against its support as a run begins, or the other way round, has not
-  // strained it yet.
+  // For Model::support_gaps before the first step: as the blocks lie. What moves against its support as a run begins,
+  // or the other way round, has not strained it yet.
   std::vector<Vec2> gaps(const Model& model) const;
   // Gaps and tractions of the step with the solution d, before the blocks have moved.
   void store(const Poses& poses, const Scheme& scheme, const Vector& d, Model& model) const;
 
-  // N/m per fixity, on the blocks: of the last step; where there was none, as the blocks lie, with the fixities of time `t`.
+  // N/m per fixity, on the blocks: of the last step; where there was none, as the blocks lie, with the fixities of time
+  // `t`.
   std::vector<Vec2> reactions(const Model& model, double t) const;
 
  private:

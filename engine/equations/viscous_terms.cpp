@@ -67,8 +67,7 @@ void add_hold(const Model& model, const ViscousEdge& edge, const Pose& pose, Sys
 }
 
 template <int n>
-void add_dashpots(const Model& model, const ViscousEdge& edge, const Pose& pose, const Scheme& scheme,
-                  System& system) {
+void add_dashpots(const Model& model, const ViscousEdge& edge, const Pose& pose, const Scheme& scheme, System& system) {
   const MatrixOf<n> c = damping<n>(model, edge, pose);
   system.add_force(model.shapes[edge.block], edge.block, ColumnOf<n>(-c * pose.rates<n>()));
   system.matrix.add(system.matrix.slot(edge.block, edge.block), false, MatrixOf<n>(scheme.velocity_d / 2 * c));

@@ -2,10 +2,10 @@
 // Viscous boundaries (Lysmer & Kuhlemeyer 1969): edges with the tractions that a medium which goes on would put on
 // waves that leave straight, -ρ c_p v_n n - ρ c_s v_s s.
 //
-// In motion they act on the mean velocity of the step, v_mid = v0 + ½ velocity_d d = ΔX/Δt for the θ-scheme and Newmark alike,
-// so that their work -C v_mid·ΔX is never positive and the matrix gets ½ velocity_d C. Beside them stay the tractions that the edges
-// carried in equilibrium: dashpots bear no weight.
-// In equilibrium the edges are held by stiff springs, whose forces are those tractions to the last bit.
+// In motion they act on the mean velocity of the step, v_mid = v0 + ½ velocity_d d = ΔX/Δt for the θ-scheme and Newmark
+// alike, so that their work -C v_mid·ΔX is never positive and the matrix gets ½ velocity_d C. Beside them stay the
+// tractions that the edges carried in equilibrium: dashpots bear no weight. In equilibrium the edges are held by stiff
+// springs, whose forces are those tractions to the last bit.
 #include <functional>
 #include <utility>
 

@@ -15,16 +15,20 @@ namespace {
 
 // Stresses around a tip are weighted by exp(-r²/2l²) and cos⁴ of the angle to the direction that is tried: the first
 // takes in enough blocks for a mean (some hundred), the second tells directions apart.
-constexpr double reach = 2;        // l, in mean lengths of the bonds at the tip
-constexpr double farthest = 3;     // in l
+constexpr double reach = 2;     // l, in mean lengths of the bonds at the tip
+constexpr double farthest = 3;  // in l
 constexpr double degree = std::numbers::pi / 180, step = 2 * degree;
-constexpr int most_steps = 50;     // to either side of the last bond: 30 degrees that it may be off the crack, and the 70.5 of mode II
-constexpr double least_part = 0.5; // of the highest utilisation at a tip, by tractions, that a bond must have to be chosen
+// to either side of the last bond: 30 degrees that it may be off the crack, and the 70.5 of mode II
+constexpr int most_steps = 50;
+// of the highest utilisation at a tip, by tractions, that a bond must have to be chosen
+constexpr double least_part = 0.5;
 constexpr double same_distance = 1e-6;  // of a bond's length: symmetric bonds beside a path both fail
 
 constexpr int none = -1, several = -2;
 
-int end_at(const Joint& joint, int node) { return joint.node[0] == node ? 0 : 1; }
+int end_at(const Joint& joint, int node) {
+  return joint.node[0] == node ? 0 : 1;
+}
 
 Vec3 stress_in_place(const Model& model, int block) {  // Pa, in reference axes
   return turn_stress(Rotation::of(-model.blocks[block].angle), model.stress(block));
@@ -33,7 +37,7 @@ Vec3 stress_in_place(const Model& model, int block) {  // Pa, in reference axes
 struct Nearby {
   Vec2 towards;  // from the tip, of length 1
   double weight;
-  Vec3 stress;   // Pa, in reference axes
+  Vec3 stress;  // Pa, in reference axes
 };
 
 double across(const Vec3& stress, const Vec2& ahead) {
@@ -136,7 +140,8 @@ CrackTracking::Tip CrackTracking::tip(int node, int last) const {
   const Joint& joint = model_.joints[last];
   const Vec2 at = model_.nodes.position[node];
   double length = 0;  // m, l
-  for (const int j : bonds_at_node_[node]) length += reach * model_.joints[j].length / double(bonds_at_node_[node].size());
+  for (const int j : bonds_at_node_[node])
+    length += reach * model_.joints[j].length / double(bonds_at_node_[node].size());
 
   // Blocks that intact bonds join, without a way around what is farther.
   std::vector<int> found;
@@ -147,7 +152,8 @@ CrackTracking::Tip CrackTracking::tip(int node, int last) const {
     const double distance = way.norm();
     if (distance > farthest * length || !seen.insert(block).second) return;
     found.push_back(block);
-    nearby.push_back({way / distance, model_.shapes[block].area * std::exp(-distance * distance / (2 * length * length)),
+    nearby.push_back({way / distance,
+                      model_.shapes[block].area * std::exp(-distance * distance / (2 * length * length)),
                       stress_in_place(model_, block)});
   };
   for (const int j : bonds_at_node_[node])
@@ -157,7 +163,8 @@ CrackTracking::Tip CrackTracking::tip(int node, int last) const {
       if (model_.joints[j].state == JointState::intact)
         for (const int block : {model_.joints[j].a, model_.joints[j].b}) visit(block);
 
-  const std::optional<Vec2> ahead = highest_hoop_stress(nearby, at - model_.nodes.position[joint.node[1 - end_at(joint, node)]]);
+  const std::optional<Vec2> ahead =
+      highest_hoop_stress(nearby, at - model_.nodes.position[joint.node[1 - end_at(joint, node)]]);
   if (!ahead) return {};
   return {*ahead, hoop_stress(nearby, *ahead), ways(node, at + joint.off_path, *ahead)};
 }

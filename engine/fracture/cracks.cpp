@@ -32,7 +32,9 @@ CrackKind crack_kind(const std::vector<int>& crack_at_node, const Joint& joint) 
   return touched == 0 ? CrackKind::initiated : touched == 1 ? CrackKind::propagated : CrackKind::coalesced;
 }
 
-double Fragment::size() const { return std::sqrt(4 * area / std::numbers::pi); }
+double Fragment::size() const {
+  return std::sqrt(4 * area / std::numbers::pi);
+}
 
 std::vector<Fragment> fragments(const Model& model) {
   const std::vector<int>& fragment = model.fragment;

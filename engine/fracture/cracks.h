@@ -7,7 +7,8 @@
 
 namespace talus {
 
-// The crack that passes through each node, or -1: numbered by their first joints. Real joints are cracks from the start.
+// The crack that passes through each node, or -1: numbered by their first joints. Real joints are cracks from the
+// start.
 std::vector<int> cracks_at_nodes(const Model& model);
 
 const char* failure_word(FailureMode mode);  // "none", "tension", "shear"
@@ -21,8 +22,9 @@ struct Fragment {
   bool held = false;          // a held block, or one at a support or a viscous edge, is among them
   double area = 0, mass = 0;  // m2, kg/m
   double angle = 0;           // rad since the start, mean of its mass
-  Vec2 centroid = Vec2::Zero(), shift = Vec2::Zero(), velocity = Vec2::Zero();  // m, m since the start, m/s, of its mass
-  double size() const;        // m, diameter of the disc of its area
+  // m, m since the start, m/s, of its mass
+  Vec2 centroid = Vec2::Zero(), shift = Vec2::Zero(), velocity = Vec2::Zero();
+  double size() const;  // m, diameter of the disc of its area
 };
 std::vector<Fragment> fragments(const Model& model);
 

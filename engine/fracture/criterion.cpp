@@ -30,7 +30,9 @@ Utilisation utilisation(const BondTraction& traction, const Strength& strength) 
           part(std::abs(traction.shear) + traction.normal * std::tan(strength.friction), strength.cohesion)};
 }
 
-double utilisation(const Model& model, const Joint& joint) { return utilisation(model, joint, mean_traction(joint)); }
+double utilisation(const Model& model, const Joint& joint) {
+  return utilisation(model, joint, mean_traction(joint));
+}
 
 double utilisation(const Model& model, const Joint& joint, const BondTraction& traction) {
   const JointProperty& property = model.scene.properties[joint.property];

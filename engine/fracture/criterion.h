@@ -1,5 +1,6 @@
 #pragma once
-// When a bond fails: maximum tension and Mohr–Coulomb on the traction of its edge (Ning et al. 2011, equations 1 and 2).
+// When a bond fails: maximum tension and Mohr–Coulomb on the traction of its edge (Ning et al. 2011, equations 1 and
+// 2).
 #include <span>
 
 #include "model/model.h"
@@ -21,8 +22,8 @@ double utilisation(const Model& model, const Joint& joint, const BondTraction& t
 // Sets the utilisations of the intact ones of these joints, from their stored tractions.
 void judge(Model& model, std::span<const int> joints);
 
-// In tension or in shear, whichever is used more. A criterion of the script's own says how far, not in what: it is tension where the
-// traction pulls at least as hard as it shears.
+// In tension or in shear, whichever is used more. A criterion of the script's own says how far, not in what: it is
+// tension where the traction pulls at least as hard as it shears.
 FailureMode failure_mode(const Model& model, const Joint& joint, const BondTraction& traction);
 
 }  // namespace talus

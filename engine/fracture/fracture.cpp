@@ -13,12 +13,15 @@ namespace talus {
 
 namespace {
 
-// Tractions are found to the solver's tolerance: a bond that lacks no more than this part of its strength has reached it.
+// Tractions are found to the solver's tolerance: a bond that lacks no more than this part of its strength has reached
+// it.
 constexpr double at_strength = 1 - 1e-7;
 // Utilisations that differ by less are the same: of bonds that a symmetric scene makes alike none fails before another.
 constexpr double alike = 1e-6;
 
-bool is_due(const Joint& joint) { return joint.state == JointState::intact && joint.utilisation >= at_strength; }
+bool is_due(const Joint& joint) {
+  return joint.state == JointState::intact && joint.utilisation >= at_strength;
+}
 
 double joint_jump(const Joint& joint, double JointPoint::*value) {
   double mean = 0;
@@ -176,11 +179,14 @@ void Fracture::weaken() {
 void Fracture::weaken(Joint& joint, double normal) {
   const JointProperty& property = model_.scene.properties[joint.property];
   const Strength intact = model_.strength(joint);
-  const Strength left = property.reduction ? property.reduction(intact, {joint.most_slip, joint.most_opening, normal}) : property.residual;
+  const Strength left = property.reduction ? property.reduction(intact, {joint.most_slip, joint.most_opening, normal})
+                                           : property.residual;
   // The residual is the property's; the strength of this one may be scattered below it.
   joint.remaining = {left.friction, std::min(left.cohesion, intact.cohesion), std::min(left.tension, intact.tension)};
 }
 
-void Fracture::restored() { model_.fragment = find_fragments(model_); }
+void Fracture::restored() {
+  model_.fragment = find_fragments(model_);
+}
 
 }  // namespace talus

@@ -22,7 +22,8 @@ class Fracture {
   // They fail, with the tractions that they have, and join the events.
   // judged: Pa, the tractions they were judged by where these are not the present ones.
   void fail(const std::vector<int>& joints, double time, const std::vector<BondTraction>& judged = {});
-  // What failed since the last clear_events() has the tractions again with which it failed: its faces take them over in each search of the step.
+  // What failed since the last clear_events() has the tractions again with which it failed: its faces take them over in
+  // each search of the step.
   void recall_tractions();
   // A block goes on with this strain beside its own, as an initial stress.
   void add_strain(int block, const Vec3& strain);

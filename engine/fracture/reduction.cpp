@@ -13,7 +13,9 @@ double between(double part, double residual, double intact) {
 }
 
 // wear / δ with δ = shape·G/f.
-double worn(double wear, double lost, double shape, double energy) { return lost > 0 ? wear * lost / (shape * energy) : 0; }
+double worn(double wear, double lost, double shape, double energy) {
+  return lost > 0 ? wear * lost / (shape * energy) : 0;
+}
 
 }  // namespace
 
@@ -32,8 +34,8 @@ ReductionLaw softening(const Softening& law) {
 ReductionLaw slip_weakening(double distance, const Strength& residual) {
   return [=](const Strength& intact, const JointWear& wear) {
     const double part = std::max(0.0, 1 - wear.slip / distance);
-    return Strength{between(part, residual.friction, intact.friction), between(part, residual.cohesion, intact.cohesion),
-                    residual.tension};
+    return Strength{between(part, residual.friction, intact.friction),
+                    between(part, residual.cohesion, intact.cohesion), residual.tension};
   };
 }
 
@@ -48,7 +50,9 @@ ReductionLaw barton_bandis(double jrc, double jcs, double residual_friction) {
 
 namespace {
 
-double compliance(const Softening& law, double energy, double lost) { return (law.exponential ? 1 : 2) * energy / (lost * lost); }
+double compliance(const Softening& law, double energy, double lost) {
+  return (law.exponential ? 1 : 2) * energy / (lost * lost);
+}
 
 }  // namespace
 

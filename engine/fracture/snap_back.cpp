@@ -27,13 +27,14 @@ struct Blocks {
     ++bonds;
   }
   std::string told(const std::string& name) const {
-    return std::to_string(too_large) + " of the " + std::to_string(bonds) + " bonds of " + name + " are between blocks above " +
-           metres(largest_allowed) + " (root of the area): where they soften ";
+    return std::to_string(too_large) + " of the " + std::to_string(bonds) + " bonds of " + name +
+           " are between blocks above " + metres(largest_allowed) + " (root of the area): where they soften ";
   }
 };
 
 // In one direction: its strength, the compliance of laws there, and the rock's modulus.
-std::vector<Blocks> blocks_of(const Model& model, double Strength::*strength, double JointProperty::*compliance, double (*modulus)(const Material&)) {
+std::vector<Blocks> blocks_of(const Model& model, double Strength::*strength, double JointProperty::*compliance,
+                              double (*modulus)(const Material&)) {
   std::vector<Blocks> blocks(model.scene.properties.size());
   for (const Joint& joint : model.joints) {
     const JointProperty& property = model.scene.properties[joint.property];
@@ -54,7 +55,8 @@ std::string in_shear(const Model& model) {
   std::string note;
   for (std::size_t p = 0; p < blocks.size(); ++p)
     if (blocks[p].too_large > 0)
-      note += (note.empty() ? "" : "; ") + blocks[p].told(model.scene.properties[p].name) + "in shear they snap back in one step";
+      note += (note.empty() ? "" : "; ") + blocks[p].told(model.scene.properties[p].name) +
+              "in shear they snap back in one step";
   return note;
 }
 
@@ -62,7 +64,8 @@ std::string in_shear(const Model& model) {
 
 std::string check_snap_back(const Model& model) {
   const auto modulus = [](const Material& rock) { return rock.young; };
-  const std::vector<Blocks> blocks = blocks_of(model, &Strength::tension, &JointProperty::softening_compliance, modulus);
+  const std::vector<Blocks> blocks =
+      blocks_of(model, &Strength::tension, &JointProperty::softening_compliance, modulus);
   std::string note;
   for (std::size_t p = 0; p < blocks.size(); ++p) {
     const Blocks& of = blocks[p];

@@ -14,28 +14,32 @@ namespace talus {
 
 namespace {
 
-// Part of the pressure by which that of a solve may differ from the law over the volume it leads to. The work of a step is
-// off by no more; the volume, from which the next step goes on, is exact.
+// Part of the pressure by which that of a solve may differ from the law over the volume it leads to. The work of a step
+// is off by no more; the volume, from which the next step goes on, is exact.
 constexpr double close_enough = 1e-4;
 constexpr int most_solves = 20, guesses = 20;  // a step; of a pressure that agrees with a linear answer of the rock
-constexpr double little = 1e-9;  // part of the volume: less is swept at the present pressure
+constexpr double little = 1e-9;                // part of the volume: less is swept at the present pressure
 
 // Where a falling positive function comes to `value` between `low` and `high`, or the end beyond which it would.
 template <typename Function>
 double fallen_to(double value, double low, double high, const Function& function) {
-  const auto above = [&](double x) { return std::log2(std::max(function(x), std::numeric_limits<double>::min())) - std::log2(value); };
+  const auto above = [&](double x) {
+    return std::log2(std::max(function(x), std::numeric_limits<double>::min())) - std::log2(value);
+  };
   const double at_low = above(low), at_high = above(high);
   if (!(at_low > 0)) return low;
   if (!(at_high < 0)) return high;
   std::uintmax_t steps = 100;
-  const auto ends = boost::math::tools::toms748_solve(above, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(), steps);
+  const auto ends = boost::math::tools::toms748_solve(above, low, high, at_low, at_high,
+                                                      boost::math::tools::eps_tolerance<double>(), steps);
   return (ends.first + ends.second) / 2;
 }
 
 }  // namespace
 
 void visit_state(Chamber& chamber, StateVisitor& v) {
-  auto& [walls, charges, state, volume, pressure, began, vented_at, fronts, gain, yield, joined, work, opening] = chamber;
+  auto& [walls, charges, state, volume, pressure, began, vented_at, fronts, gain, yield, joined, work, opening] =
+      chamber;
   v.growing("walls", walls);
   v.growing("fronts", fronts);
   v.growing("charges", charges);
@@ -97,7 +101,8 @@ void Gas::detonate(double soon) {
   std::vector<int> due;  // walls
   for (size_t wall = 0; wall < model_.hole_walls.size(); ++wall) {
     const int charge = model_.hole_walls[wall].charge;
-    if (first_volume_[charge] == 0 && model_.scene.charges[charge].delay <= model_.time + soon) due.push_back(int(wall));
+    if (first_volume_[charge] == 0 && model_.scene.charges[charge].delay <= model_.time + soon)
+      due.push_back(int(wall));
   }
   if (!due.empty()) go_off(due);
   lay_faces();
@@ -143,7 +148,8 @@ void Gas::go_off(int wall) {
   events_.push_back({GasEventKind::detonation, wall, -1, model_.time, chamber.volume, chamber.pressure});
 }
 
-// A hole whose gas, that of another charge, has blown out: what goes off in it now begins anew, and blows out where it meets the others.
+// A hole whose gas, that of another charge, has blown out: what goes off in it now begins anew, and blows out where it
+// meets the others.
 void Gas::set_apart(int wall) {
   Chamber& blown_out = chambers_[chamber_of(wall)];
   const auto at = std::find(blown_out.walls.begin(), blown_out.walls.end(), wall) - blown_out.walls.begin();
@@ -164,8 +170,8 @@ double Gas::wave_speed(int wall) const {
   return fastest;
 }
 
-// A hole rings with its circumference's wave: half of that time, of a disc of the chamber's size. Gas with less than a thousandth of its
-// first pressure left pushes nothing any more.
+// A hole rings with its circumference's wave: half of that time, of a disc of the chamber's size. Gas with less than a
+// thousandth of its first pressure left pushes nothing any more.
 double Gas::longest_step() const {
   constexpr double spent = 1e-3;
   double least = std::numeric_limits<double>::infinity();
@@ -195,15 +201,17 @@ GasMoment Gas::moment(const Chamber& chamber, double since) const {
   return {std::max(since, 0.0), chamber.volume, first_volume_[chamber.charges[0]], chamber.pressure, chamber.front()};
 }
 
-// An explosive's law goes by its mass, for its hole as it was drawn: blocks that lie in it and what has moved its walls until it goes off leave
-// its gas another volume. Other laws go by V/V0, V0 the volume when it goes off.
+// An explosive's law goes by its mass, for its hole as it was drawn: blocks that lie in it and what has moved its walls
+// until it goes off leave its gas another volume. Other laws go by V/V0, V0 the volume when it goes off.
 double Gas::room(int charge) const {
   const double radius = model_.hole_walls[charge].radius;
-  const double begins = model_.scene.charges[charge].mass > 0 ? std::numbers::pi * radius * radius : first_volume_[charge];
+  const double begins =
+      model_.scene.charges[charge].mass > 0 ? std::numbers::pi * radius * radius : first_volume_[charge];
   return begins * left_[charge];
 }
 
-// What is left of a charge's gas has the pressure of all of it in as much more room: its isentrope goes by volume per mass.
+// What is left of a charge's gas has the pressure of all of it in as much more room: its isentrope goes by volume per
+// mass.
 double Gas::law_pressure(const Chamber& chamber, double volume, double time) const {
   if (chamber.charges.size() > 1) return mixture_pressure(chamber, volume, time);
   const int charge = chamber.charges[0];
@@ -211,8 +219,8 @@ double Gas::law_pressure(const Chamber& chamber, double volume, double time) con
   return own.law.pressure(volume / room(charge), moment(chamber, time - own.delay));
 }
 
-// Gas of several charges has one pressure, at which their own volumes fill the chamber. Both are sought by logarithms, in which gases are near
-// straight lines.
+// Gas of several charges has one pressure, at which their own volumes fill the chamber. Both are sought by logarithms,
+// in which gases are near straight lines.
 double Gas::mixture_pressure(const Chamber& chamber, double volume, double time) const {
   const auto filled = [&](double pressure) {
     double sum = 0;
@@ -230,7 +238,8 @@ double Gas::mixture_pressure(const Chamber& chamber, double volume, double time)
 double Gas::law_work(const Chamber& chamber, double from, double to, double time) const {
   const int charge = chamber.charges[0];
   if (chamber.charges.size() > 1)
-    return talus::work({[&](double volume, const GasMoment&) { return law_pressure(chamber, volume, time); }, {}, {}}, from, to);
+    return talus::work({[&](double volume, const GasMoment&) { return law_pressure(chamber, volume, time); }, {}, {}},
+                       from, to);
   const double first = room(charge);
   const Charge& own = model_.scene.charges[charge];
   return first * talus::work(own.law, from / first, to / first, moment(chamber, time - own.delay));
@@ -249,7 +258,9 @@ double Gas::vent_part(const Chamber& chamber, double time) const {
 void Gas::settle_venting(Chamber& chamber) {
   if (chamber.state != Chamber::State::vented || model_.scene.charges[chamber.charges[0]].orifice) return;
   const double part = vent_part(chamber, model_.time), pressure = law_pressure(chamber, chamber.volume, model_.time);
-  const double wider = fallen_to(part * pressure, 0, 60, [&](double log) { return law_pressure(chamber, chamber.volume * std::exp2(log), model_.time); });
+  const double wider = fallen_to(part * pressure, 0, 60, [&](double log) {
+    return law_pressure(chamber, chamber.volume * std::exp2(log), model_.time);
+  });
   for (const int charge : chamber.charges) left_[charge] *= std::exp2(-wider);
   chamber.vented_at = model_.time;
 }
@@ -258,7 +269,8 @@ double Gas::mean_pressure(const Chamber& chamber, double volume) const {
   volume = std::max(volume, 0.5 * chamber.volume);  // a solve may try what no step comes to, and less than nothing
   const double middle = model_.time + dt_ / 2, swept = volume - chamber.volume, part = vent_part(chamber, middle);
   if (part == 0) return 0;
-  if (std::abs(swept) < little * chamber.volume) return part * law_pressure(chamber, (volume + chamber.volume) / 2, middle);
+  if (std::abs(swept) < little * chamber.volume)
+    return part * law_pressure(chamber, (volume + chamber.volume) / 2, middle);
   return part * law_work(chamber, chamber.volume, volume, middle) / swept;
 }
 
@@ -306,8 +318,7 @@ bool Gas::agrees(const std::vector<BlockState>& moved) {
     gives_up_ = gives_up_ || guess.solves >= most_solves;
     all = false;
     double better = wanted;
-    for (int k = 0; k < guesses; ++k)
-      better = mean_pressure(chamber, guess.offset + guess.slope * better);
+    for (int k = 0; k < guesses; ++k) better = mean_pressure(chamber, guess.offset + guess.slope * better);
     model_.gas_pressure[c] = better;
   }
   return all;
@@ -343,14 +354,15 @@ void Gas::end_step(double dt) {
 // By the speed at the middle of the step.
 void Gas::advance_fronts(Chamber& chamber, double volume, double pressure, double dt) {
   const auto& speed = model_.scene.charges[chamber.charges[0]].gas_speed;
-  GasMoment middle{std::max(0.0, model_.time - dt / 2 - chamber.began), volume, first_volume_[chamber.charges[0]], pressure, chamber.front()};
+  GasMoment middle{std::max(0.0, model_.time - dt / 2 - chamber.began), volume, first_volume_[chamber.charges[0]],
+                   pressure, chamber.front()};
   middle.front += dt / 2 * speed(middle);
   const double way = dt * speed(middle);
   for (double& front : chamber.fronts) front += way;
 }
 
-// A law that grows on the way, between the volumes that were tried when it was declared, would make gas from nothing. That of a mixture
-// is asked for any volume by its search, and only of charges that passed this before they met.
+// A law that grows on the way, between the volumes that were tried when it was declared, would make gas from nothing.
+// That of a mixture is asked for any volume by its search, and only of charges that passed this before they met.
 void Gas::check_fall(const Chamber& chamber, double before, const GasMoment& now) const {
   if (chamber.charges.size() > 1) return;
   const int charge = chamber.charges[0];

@@ -1,11 +1,11 @@
 #pragma once
-// Explosion gas: chambers that grow from their holes into the cracks, press on what they have reached, and go off, merge and
-// vent.
+// Explosion gas: chambers that grow from their holes into the cracks, press on what they have reached, and go off,
+// merge and vent.
 //
-// A chamber holds the gas of one charge, or of several whose chambers have met. It enters a step as the potential -∫P dV: the
-// pressure of the step is the work of the law over the volume swept, divided by that volume, and volume and pressure are
-// found together (a fixed point in one number a chamber, whose slope is kept from step to step), so that the rock gets what
-// the law gives. Volume that joins when the gas enters further cracks is filled without work.
+// A chamber holds the gas of one charge, or of several whose chambers have met. It enters a step as the potential -∫P
+// dV: the pressure of the step is the work of the law over the volume swept, divided by that volume, and volume and
+// pressure are found together (a fixed point in one number a chamber, whose slope is kept from step to step), so that
+// the rock gets what the law gives. Volume that joins when the gas enters further cracks is filled without work.
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -23,12 +23,15 @@ struct Chamber {
   double pressure = 0;   // Pa, by the law, now
   double began = 0;      // s
   double vented_at = 0;  // s
-  std::vector<double> fronts;  // m, of walls: way of the gas from the centre of the hole, since it is there; it is at the wall until that is more
-  double gain = 0;       // m3/(Pa s2), how much more volume a step gives for a higher pressure, over its length squared
-  double yield = 0;      // m3/s2, how much more than the blocks' free flight it gave at no pressure (mostly less), over the step's length squared
-  double joined = 0;     // m3, filled without work so far
-  double work = 0;       // J/m, of the law along the volume swept
-  double opening = 0;    // m, of what it vents through, now
+  // m, of walls: way of the gas from the centre of the hole, since it is there; it is at the wall until that is more
+  std::vector<double> fronts;
+  double gain = 0;  // m3/(Pa s2), how much more volume a step gives for a higher pressure, over its length squared
+  // m3/s2, how much more than the blocks' free flight it gave at no pressure (mostly less), over the step's length
+  // squared
+  double yield = 0;
+  double joined = 0;   // m3, filled without work so far
+  double work = 0;     // J/m, of the law along the volume swept
+  double opening = 0;  // m, of what it vents through, now
 
   double front() const { return *std::max_element(fronts.begin(), fronts.end()); }
 };
@@ -37,10 +40,11 @@ void visit_state(Chamber& chamber, StateVisitor& visitor);
 enum class GasEventKind { detonation, venting, merging };
 struct GasEvent {
   GasEventKind kind;
-  int wall = 0, other = -1;                   // of the charge that went off, else of the chamber
-  double time = 0, volume = 0, pressure = 0;  // s; m3, Pa of the chamber, before it vents and after it has met the other
-  bool collar = false;                        // it vents because its stemming is out
-  Vec2 at = Vec2::Zero();                     // m, where it vents: the free surface, or the middle of its hole
+  int wall = 0, other = -1;  // of the charge that went off, else of the chamber
+  // s; m3, Pa of the chamber, before it vents and after it has met the other
+  double time = 0, volume = 0, pressure = 0;
+  bool collar = false;     // it vents because its stemming is out
+  Vec2 at = Vec2::Zero();  // m, where it vents: the free surface, or the middle of its hole
 };
 
 // Of a charge: how far its stemming has moved (m) and how fast it is (m/s).
@@ -55,15 +59,15 @@ class Gas {
 
   // s, of the next charge to go off, infinite where there is none: no step may pass it.
   double next_detonation() const;
-  // Charges that are due, or will be in less than `soon` (s), go off, and the faces that gas presses on in this step are laid. Once
-  // before the attempts at it, and before what sleeps is woken.
+  // Charges that are due, or will be in less than `soon` (s), go off, and the faces that gas presses on in this step
+  // are laid. Once before the attempts at it, and before what sleeps is woken.
   void detonate(double soon);
   // s: in longer steps a wall that gas presses on does not follow it.
   double longest_step() const;
   // First guesses of the pressures for an attempt at a step of `dt`.
   void begin_step(double dt);
-  // After a solve that leads to `moved`: whether the pressures it was made with are those of the volumes it leads to. If not,
-  // they are better now.
+  // After a solve that leads to `moved`: whether the pressures it was made with are those of the volumes it leads to.
+  // If not, they are better now.
   bool agrees(const std::vector<BlockState>& moved);
   // Whether they were sought for too long: a shorter step is called for.
   bool gives_up() const { return gives_up_; }
@@ -115,16 +119,17 @@ class Gas {
   Model& model_;
   GasPaths paths_;
   std::vector<Chamber> chambers_;
-  std::vector<double> first_volume_;  // m3, of each charge's hole when it went off
-  std::vector<double> left_;          // part of each charge's gas that has not left
+  std::vector<double> first_volume_;      // m3, of each charge's hole when it went off
+  std::vector<double> left_;              // part of each charge's gas that has not left
   std::vector<StemmingMotion> stemming_;  // of each charge; empty where no charge has one
   std::vector<Reach> reach_;
   struct Guess {
-    double free = 0;            // m3, where the blocks fly by themselves
+    double free = 0;                  // m3, where the blocks fly by themselves
     double pressure = 0, volume = 0;  // the last solve
-    double swept = 0;                 // m3, by the faces under gas: the rest of what the volume grows by is filled without work
+    // m3, by the faces under gas: the rest of what the volume grows by is filled without work
+    double swept = 0;
     int solves = 0;
-    double slope = 0, offset = 0;     // volume = offset + slope · pressure
+    double slope = 0, offset = 0;  // volume = offset + slope · pressure
   };
   std::vector<Guess> guess_;
   double dt_ = 0;

@@ -43,8 +43,10 @@ void Gas::merge() {
     for (const int wall : reach_[c].walls) met.push_back(chamber_of(wall));
     for (int other = 0; other < int(chambers_.size()); ++other)
       if (other != c && pressing(chambers_[other]) && meet(c, other)) met.push_back(other);
-    // Those that have blown out last: a taking over finds anew what the gas has reached, and with it whether that is a free surface.
-    std::stable_partition(met.begin(), met.end(), [&](int other) { return chambers_[other].state != Chamber::State::vented; });
+    // Those that have blown out last: a taking over finds anew what the gas has reached, and with it whether that is a
+    // free surface.
+    std::stable_partition(met.begin(), met.end(),
+                          [&](int other) { return chambers_[other].state != Chamber::State::vented; });
     for (const int other : met) {
       if (other == c || chambers_[other].state == Chamber::State::merged) continue;
       if (goes_before(other, c)) {
@@ -56,18 +58,21 @@ void Gas::merge() {
   }
 }
 
-// Of two chambers that press, that of the charge that went off first takes over the other, and its ways of venting and of going on hold for all.
+// Of two chambers that press, that of the charge that went off first takes over the other, and its ways of venting and
+// of going on hold for all.
 bool Gas::goes_before(int a, int b) const {
   if (!pressing(chambers_[a]) || !pressing(chambers_[b])) return false;
   const auto first = [&](int c) { return std::pair(model_.scene.charges[chambers_[c].charges[0]].delay, c); };
   return first(a) < first(b);
 }
 
-// What an orifice has let out is missing in the gas itself. Else one that has blown out at once is open to the free surface for the other
-// too, and of one that vents by a law what has left is taken from its gas: the law begins again with both. No gas comes with a hole that waits.
+// What an orifice has let out is missing in the gas itself. Else one that has blown out at once is open to the free
+// surface for the other too, and of one that vents by a law what has left is taken from its gas: the law begins again
+// with both. No gas comes with a hole that waits.
 void Gas::take_over(int c, int other) {
   Chamber &own = chambers_[c], &met = chambers_[other];
-  const bool orifice = model_.scene.charges[own.charges[0]].orifice.has_value(), open = met.state == Chamber::State::vented;
+  const bool orifice = model_.scene.charges[own.charges[0]].orifice.has_value(),
+             open = met.state == Chamber::State::vented;
   if (open && !orifice && !pressing(met)) {
     reach_[c].surface = true;
     reach_[c].outlet = reach_[other].outlet;
@@ -143,7 +148,8 @@ void Gas::vent() {
     if (chamber.state != Chamber::State::pressing || !(reach_[c].surface || stemming_out(chamber))) continue;
     chamber.state = Chamber::State::vented;
     chamber.vented_at = model_.time;
-    events_.push_back({GasEventKind::venting, int(c), -1, model_.time, chamber.volume, chamber.pressure, !reach_[c].surface, outlet_of(int(c))});
+    events_.push_back({GasEventKind::venting, int(c), -1, model_.time, chamber.volume, chamber.pressure,
+                       !reach_[c].surface, outlet_of(int(c))});
     chamber.pressure *= vent_part(chamber, model_.time);
     if (model_.scene.charges[chamber.charges[0]].orifice) chamber.opening = opening_of(int(c));
   }
@@ -158,8 +164,7 @@ void Gas::leak(int c, double dt) {
   if (chamber.state != Chamber::State::vented || !orifice || chamber.pressure == 0) return;
   double mass = 0;
   for (const int charge : chamber.charges)
-    mass += room(charge) *
-            (charges[charge].orifice ? charges[charge].orifice : orifice)->density;
+    mass += room(charge) * (charges[charge].orifice ? charges[charge].orifice : orifice)->density;
   const double before = chamber.opening;
   chamber.opening = opening_of(c);
   const double part = blow_down(

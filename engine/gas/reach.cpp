@@ -158,7 +158,8 @@ double gas_volume(const Model& model, const std::vector<BlockState>& blocks, dou
   double volume = 0;
   for (const int wall : walls) {
     const HoleWall& own = model.hole_walls[wall];
-    Polyline outline;  // blocks are on its left: the wall's has the hole on the right, that of what lies in the hole itself on the left
+    // blocks are on its left: the wall's has the hole on the right, that of what lies in the hole itself on the left
+    Polyline outline;
     for (size_t k = 0; k < own.edges.size(); ++k) {
       if (std::find(own.outlines.begin() + 1, own.outlines.end(), k) != own.outlines.end()) {
         volume -= signed_area(outline);
@@ -179,7 +180,8 @@ double gas_volume(const Model& model, const std::vector<BlockState>& blocks, dou
   }
   for (const int node : reach.nodes) {
     Polyline gap;
-    for (const GasPaths::Corner& c : paths.corners(node)) gap.push_back(place(c.block, model.reference_vertex[c.vertex]));
+    for (const GasPaths::Corner& c : paths.corners(node))
+      gap.push_back(place(c.block, model.reference_vertex[c.vertex]));
     volume += signed_area(gap);
   }
   return volume;
@@ -190,7 +192,8 @@ void add_gas_faces(const Model& model, int chamber, const std::vector<int>& wall
   for (const int wall : walls)
     for (const BlockEdge& edge : model.hole_walls[wall].edges) {
       const int begin = model.shapes[edge.block].vertex_begin;
-      faces.push_back({chamber, edge.block,
+      faces.push_back({chamber,
+                       edge.block,
                        {model.reference_vertex[begin + edge.edge],
                         model.reference_vertex[begin + model.next_vertex(edge.block, edge.edge)]}});
     }

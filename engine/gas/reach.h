@@ -29,12 +29,13 @@ class GasPaths {
  public:
   explicit GasPaths(const Model& model);
 
-  // From the hole walls `own`. `within(p)`: whether the front has passed the place p, which it does once along a straight way
-  // from a place it has passed (the front is a circle about a hole). A joint whose faces press on each other lets no gas by.
+  // From the hole walls `own`. `within(p)`: whether the front has passed the place p, which it does once along a
+  // straight way from a place it has passed (the front is a circle about a hole). A joint whose faces press on each
+  // other lets no gas by.
   Reach find(const Model& model, const std::vector<int>& own, const std::function<bool(const Vec2&)>& within) const;
 
-  // Nodes of a hole wall, in its order; corners of the blocks round a node, counter-clockwise, beginning after the widest
-  // opening: indices into Model::vertex with their blocks.
+  // Nodes of a hole wall, in its order; corners of the blocks round a node, counter-clockwise, beginning after the
+  // widest opening: indices into Model::vertex with their blocks.
   struct Corner {
     int block, vertex;
   };
@@ -47,8 +48,9 @@ class GasPaths {
   std::vector<int> wall_at_;  // per node: hole wall it lies on, or -1
 };
 
-// m2, of what the gas fills between the walls and the reached faces, where the blocks get in `seconds` of free flight: the holes' polygons, the part of
-// each joint that it has reached and what opens between the corners that met in a node. Exact polygon areas.
+// m2, of what the gas fills between the walls and the reached faces, where the blocks get in `seconds` of free flight:
+// the holes' polygons, the part of each joint that it has reached and what opens between the corners that met in a
+// node. Exact polygon areas.
 double gas_volume(const Model& model, const std::vector<BlockState>& blocks, double seconds, const GasPaths& paths,
                   const std::vector<int>& walls, const Reach& reach);
 

@@ -17,7 +17,8 @@ std::vector<ConvexPart> convex_parts(const Polyline& polygon) {
   Traits::Polygon_2 corners;
   for (std::size_t k = 0; k < points.size(); ++k) corners.push_back(k);
   std::list<Traits::Polygon_2> found;
-  CGAL::approx_convex_partition_2(corners.vertices_begin(), corners.vertices_end(), std::back_inserter(found), Traits(CGAL::make_property_map(points)));
+  CGAL::approx_convex_partition_2(corners.vertices_begin(), corners.vertices_end(), std::back_inserter(found),
+                                  Traits(CGAL::make_property_map(points)));
   std::vector<ConvexPart> parts;
   for (const Traits::Polygon_2& part : found) parts.emplace_back(part.vertices_begin(), part.vertices_end());
   return parts;

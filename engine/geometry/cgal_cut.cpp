@@ -147,8 +147,7 @@ void Cutter::merge_into_neighbour(Face sliver) {
   for_each_halfedge(sliver, [&](Halfedge h) {
     const Face neighbour = h->twin()->face();
     if (!neighbour->data().inside) return;
-    auto share =
-        std::find_if(shares.begin(), shares.end(), [&](const Shared& s) { return s.neighbour == neighbour; });
+    auto share = std::find_if(shares.begin(), shares.end(), [&](const Shared& s) { return s.neighbour == neighbour; });
     if (share == shares.end()) share = shares.insert(shares.end(), Shared{neighbour, 0, {}});
     share->length += (points_[h->target()->data()] - points_[h->source()->data()]).norm();
     share->edges.push_back(h);
@@ -172,8 +171,7 @@ bool Cutter::needed(Vertex v) const {
 }
 
 void Cutter::add_cell(Face face) {
-  if (face->number_of_inner_ccbs() > 0)
-    refuse(points_[(*face->inner_ccbs_begin())->source()->data()], "have a hole");
+  if (face->number_of_inner_ccbs() > 0) refuse(points_[(*face->inner_ccbs_begin())->source()->data()], "have a hole");
   std::vector<int> loop, traces;
   const auto first = face->outer_ccb();
   auto h = first;

@@ -51,8 +51,9 @@ class VertexBase : public Base {
 };
 
 using FaceBase = CGAL::Delaunay_mesh_face_base_2<Kernel>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<VertexBase<>, FaceBase>, CGAL::Exact_predicates_tag>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase<>, FaceBase>,
+                                               CGAL::Exact_predicates_tag>;
 using Vertex = Triangulation::Vertex_handle;
 using Face = Triangulation::Face_handle;
 
@@ -368,7 +369,9 @@ void Mesher::refuse_field() const {
 }
 
 void Mesher::refuse_mesh() const {
-  if (expected_ > 0.5 * static_cast<double>(most_)) throw std::length_error("more than " + std::to_string(most_) + " triangles");  // no estimate is that good
+  // no estimate is that good
+  if (expected_ > 0.5 * static_cast<double>(most_))
+    throw std::length_error("more than " + std::to_string(most_) + " triangles");
   Vec2 where = Vec2::Zero();
   double least = std::numeric_limits<double>::infinity();
   for (Face face : triangulation_.finite_face_handles()) {
@@ -413,8 +416,7 @@ Tessellation Mesher::result() {
 void Mesher::check_clearance(const TessellationInput& input) const {
   const double least = 1e-9 * frame_.unit();
   if (boundary_clearance(input, least) < least)
-    throw std::invalid_argument(
-        "the boundary comes closer to itself than 1e-9 of its extent: too close for a mesh");
+    throw std::invalid_argument("the boundary comes closer to itself than 1e-9 of its extent: too close for a mesh");
 }
 
 Tessellation Mesher::run(const TessellationInput& input) {

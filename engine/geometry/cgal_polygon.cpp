@@ -18,8 +18,7 @@ constexpr double least_relative_area = 1e-12;
 
 // The exact sign of cross(b - a, c - a).
 int turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return CGAL::orientation(Kernel::Point_2(a.x(), a.y()), Kernel::Point_2(b.x(), b.y()),
-                           Kernel::Point_2(c.x(), c.y()));
+  return CGAL::orientation(Kernel::Point_2(a.x(), a.y()), Kernel::Point_2(b.x(), b.y()), Kernel::Point_2(c.x(), c.y()));
 }
 
 std::string text(const Vec2& p) {
@@ -57,7 +56,9 @@ std::optional<std::string> bad_point(const Outline& o) {
     if (!o.from(i).allFinite()) return "point " + std::to_string(i + 1) + " is " + text(o.from(i));
   constexpr double most = 1e50;  // m: the sixth power of twice that, as of the moments of blocks, is a number
   for (std::size_t i = 0; i < o.size(); ++i)
-    if (!(o.from(i).cwiseAbs().maxCoeff() <= most)) return "point " + std::to_string(i + 1) + ", " + text(o.from(i)) + ", is farther off than 1e50 m, beyond which moments of blocks are no numbers";
+    if (!(o.from(i).cwiseAbs().maxCoeff() <= most))
+      return "point " + std::to_string(i + 1) + ", " + text(o.from(i)) +
+             ", is farther off than 1e50 m, beyond which moments of blocks are no numbers";
   for (std::size_t i = 0; i < o.size(); ++i)
     if (o.from(i) == o.to(i)) {
       const bool closed_twice = o.next(i) == 0;

@@ -86,9 +86,7 @@ std::vector<Polyline> borders(std::vector<GrainSite> sites, const GrainDomain& d
     const Face other = face->neighbor(i);
     if (triangulation.is_infinite(face) || triangulation.is_infinite(other)) continue;
     const Vec2 a = circumcentre(triangulation, face), b = circumcentre(triangulation, other);
-    const auto before = [](const Vec2& p, const Vec2& q) {
-      return std::pair(p.x(), p.y()) < std::pair(q.x(), q.y());
-    };
+    const auto before = [](const Vec2& p, const Vec2& q) { return std::pair(p.x(), p.y()) < std::pair(q.x(), q.y()); };
     if (a.allFinite() && b.allFinite() && a != b) list.push_back(before(a, b) ? Polyline{a, b} : Polyline{b, a});
   }
   // CGAL lists edges by the addresses of their faces: sorted, they are the same in every run.

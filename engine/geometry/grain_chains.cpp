@@ -71,8 +71,7 @@ std::vector<GrainChain> grain_chains(const Network& network) {
   return ChainMaker(network).make();
 }
 
-std::vector<ChainStation> stations(const GrainChain& chain, const std::vector<Vec2>& points,
-                                   const SizeField& size) {
+std::vector<ChainStation> stations(const GrainChain& chain, const std::vector<Vec2>& points, const SizeField& size) {
   const std::size_t edges = chain.points.size() - 1;
   std::vector<double> sum{0};  // wanted intervals up to each point
   for (std::size_t i = 0; i < edges; ++i)

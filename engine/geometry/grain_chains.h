@@ -22,7 +22,6 @@ struct ChainStation {
   Vec2 at, along;  // along: unit vector
   double length;   // of the interval
 };
-std::vector<ChainStation> stations(const GrainChain& chain, const std::vector<Vec2>& points,
-                                   const SizeField& size);
+std::vector<ChainStation> stations(const GrainChain& chain, const std::vector<Vec2>& points, const SizeField& size);
 
 }  // namespace talus

@@ -58,8 +58,7 @@ class SiteGrid {
             static_cast<std::int64_t>(std::floor(std::ldexp(p.y(), -level)))};
   }
   static std::uint64_t key(std::int64_t i, std::int64_t j) {
-    return static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15u ^
-           static_cast<std::uint64_t>(j) * 0xc2b2ae3d27d4eb4fu;
+    return static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15u ^ static_cast<std::uint64_t>(j) * 0xc2b2ae3d27d4eb4fu;
   }
 
   std::map<int, std::unordered_map<std::uint64_t, std::vector<Entry>>> levels_;
@@ -121,8 +120,7 @@ double longest(const std::vector<std::vector<ChainStation>>& stations) {
 std::vector<std::vector<ChainStation>> all_stations(const std::vector<GrainChain>& chains, const Network& network,
                                                     const SizeField& size, long most) {
   double intervals = 0;
-  for (const auto& [p, q, trace] : network.edges)
-    intervals += size.edges_along(network.points[p], network.points[q]);
+  for (const auto& [p, q, trace] : network.edges) intervals += size.edges_along(network.points[p], network.points[q]);
   if (intervals > 2 * static_cast<double>(most) + 1000) refuse(most);
   std::vector<std::vector<ChainStation>> list;
   for (const GrainChain& chain : chains) list.push_back(stations(chain, network.points, size));
@@ -161,8 +159,7 @@ void SiteMaker::add_ring(int point, std::vector<Ray>& rays) {
   for (std::size_t r = 0; r < rays.size(); ++r) {
     const Ray &ray = rays[r], &next = rays[(r + 1) % rays.size()];
     const double sector = next.angle - ray.angle + (r + 1 < rays.size() ? 0 : 2 * M_PI);
-    const long count =
-        std::max<long>(1, std::lround(sector / (M_PI / 2) - 1e-3));  // 135° is not decided by round-off
+    const long count = std::max<long>(1, std::lround(sector / (M_PI / 2) - 1e-3));  // 135° is not decided by round-off
     for (long k = 0; k < count; ++k) {
       const double angle = ray.angle + sector * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
       const Vec2 at = centre + radius * Vec2(std::cos(angle), std::sin(angle));

@@ -8,8 +8,7 @@ namespace talus {
 class GrainWalls {
  public:
   // `reach`: how far apart the two points may be.
-  GrainWalls(const Network& network, double reach)
-      : reach_(reach), segments_(of(network)), grid_(segments_, reach) {}
+  GrainWalls(const Network& network, double reach) : reach_(reach), segments_(of(network)), grid_(segments_, reach) {}
 
   double reach() const { return reach_; }
   bool cross(const Vec2& a, const Vec2& b) const {

@@ -12,8 +12,8 @@
 namespace talus {
 namespace {
 
-constexpr double most_lines = 10000;  // cutting a region by n lines costs n² in time and memory: here 10 s, 0.5 GB
-constexpr double most_gaps_to_box = 1e7;   // between `through` and the box
+constexpr double most_lines = 10000;      // cutting a region by n lines costs n² in time and memory: here 10 s, 0.5 GB
+constexpr double most_gaps_to_box = 1e7;  // between `through` and the box
 constexpr double most_parts_to_box = 1e8;  // the same along all lines together, where lengths scatter: a second
 
 // The direction at an angle, with multiples of 90° exact: horizontal joints shall be horizontal.
@@ -93,8 +93,7 @@ Lengths lengths(const JointSet& set, const Draw& line, long m, double jointed, d
 // phase says how far part 0 has come, out to the box.
 class PartsOfLine {
  public:
-  PartsOfLine(const JointSet& set, const Line& line, const Draw& draw, double jointed,
-              std::vector<Polyline>& lines)
+  PartsOfLine(const JointSet& set, const Line& line, const Draw& draw, double jointed, std::vector<Polyline>& lines)
       : set_(set),
         line_(line),
         draw_(draw),
@@ -104,8 +103,8 @@ class PartsOfLine {
 
   void add_even() const {
     const double period = jointed_ + gap_;
-    for (double m = std::floor((line_.first - draw_.phase * period) / period);
-         (m + draw_.phase) * period < line_.last; ++m)
+    for (double m = std::floor((line_.first - draw_.phase * period) / period); (m + draw_.phase) * period < line_.last;
+         ++m)
       add((m + draw_.phase) * period, (m + draw_.phase) * period + jointed_);
   }
 
@@ -164,8 +163,7 @@ std::vector<Polyline> joint_lines(const JointSet& set, const Vec2& box_min, cons
   const Bounds box{box_min, box_max};
   const Vec2 anchor = set.through.value_or(box.centre());
   const auto [low, high] = reach(set, box, anchor);
-  if (!((high - low) / set.spacing <= most_lines))
-    refuse_short(set, "spacing", (high - low) / most_lines, set.spacing);
+  if (!((high - low) / set.spacing <= most_lines)) refuse_short(set, "spacing", (high - low) / most_lines, set.spacing);
   const double distance = std::max(std::abs(low), std::abs(high));
   if (!(distance / set.spacing <= most_gaps_to_box))
     refuse(set, "through", "a point near the region", (anchor - box.centre()).norm());

@@ -129,8 +129,7 @@ void Merger::drop_needless_points() {
 void Merger::drop_if_needless(int point, const std::vector<int>& cells) {
   if (cells.empty() || cells.size() > 2) return;
   const auto place = [&](const Loop& loop) {
-    return std::find_if(loop.begin(), loop.end(), [point](const Corner& c) { return c.point == point; }) -
-           loop.begin();
+    return std::find_if(loop.begin(), loop.end(), [point](const Corner& c) { return c.point == point; }) - loop.begin();
   };
   for (int c : cells) {
     const Loop& loop = loops_[c];

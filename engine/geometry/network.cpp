@@ -63,8 +63,7 @@ class WeldedPoints {
     return {std::llround(scaled.x()), std::llround(scaled.y())};
   }
   static std::uint64_t key(std::int64_t i, std::int64_t j) {
-    return static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15u ^
-           static_cast<std::uint64_t>(j) * 0xc2b2ae3d27d4eb4fu;
+    return static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15u ^ static_cast<std::uint64_t>(j) * 0xc2b2ae3d27d4eb4fu;
   }
 
   Vec2 origin_;
@@ -225,8 +224,7 @@ void NetworkMaker::split_at_crossings(const SegmentGrid& grid, std::vector<Split
     const double c_side = cross(along_e, c - a), d_side = cross(along_e, c + along_f - a);
     const double a_side = cross(along_f, a - c), b_side = cross(along_f, a + along_e - c);
     if ((c_side > 0) == (d_side > 0) || (a_side > 0) == (b_side > 0)) continue;
-    if (passes_through(e, f.p) || passes_through(e, f.q) || passes_through(f, e.p) || passes_through(f, e.q))
-      continue;
+    if (passes_through(e, f.p) || passes_through(e, f.q) || passes_through(f, e.p) || passes_through(f, e.q)) continue;
     const double t_e = a_side / (a_side - b_side), t_f = c_side / (c_side - d_side);
     const Vec2 at = a + t_e * along_e;
     if (distance(f, at) > tolerance_) continue;  // on one line, beside each other: the sides are round-off
@@ -283,8 +281,7 @@ void NetworkMaker::drop_doubles() {
   });
   std::vector<bool> keep(edges_.size(), false);
   for (auto first = keys.begin(), last = first; first != keys.end(); first = last) {
-    last = std::find_if(first, keys.end(),
-                        [&](const Key& k) { return k.low != first->low || k.high != first->high; });
+    last = std::find_if(first, keys.end(), [&](const Key& k) { return k.low != first->low || k.high != first->high; });
     const auto first_trace = std::find_if(first, last, [](const Key& k) { return k.trace >= 0; });
     const bool on_boundary = (first_trace - first) % 2 == 1;
     if (on_boundary) keep[first->index] = true;

@@ -51,8 +51,7 @@ SmallConvex clip_left(const SmallConvex& subject, const Vec2& a, const Vec2& b) 
     const Vec2 &p = subject.point[i], &q = subject.point[(i + 1) % subject.size];
     const double side_p = cross(along, p - a), side_q = cross(along, q - a);
     if (side_p >= 0) kept.push(p);
-    if ((side_p > 0 && side_q < 0) || (side_p < 0 && side_q > 0))
-      kept.push(p + (q - p) * (side_p / (side_p - side_q)));
+    if ((side_p > 0 && side_q < 0) || (side_p < 0 && side_q > 0)) kept.push(p + (q - p) * (side_p / (side_p - side_q)));
   }
   return kept;
 }
@@ -87,7 +86,8 @@ HighMoments integrate_high(const Polyline& polygon, const Vec2& origin) {
   for (const Vec2& point : polygon) {
     const Vec2 q = point - origin;
     const double w = cross(p, q) / 18;
-    for (const auto& [at, share] : {std::pair(0.5 - reach, 5 * w), std::pair(0.5, 8 * w), std::pair(0.5 + reach, 5 * w)}) {
+    for (const auto& [at, share] :
+         {std::pair(0.5 - reach, 5 * w), std::pair(0.5, 8 * w), std::pair(0.5 + reach, 5 * w)}) {
       const double x = (1 - at) * p.x() + at * q.x(), y = (1 - at) * p.y() + at * q.y();
       const double xx = x * x, xy = x * y, yy = y * y, third = share / 5, fourth = share / 6;
       m.third[0] += third * xx * x;
@@ -144,8 +144,8 @@ Bounds bounds(const Polyline& points) {
 }
 
 // Liang & Barsky 1984.
-std::optional<std::pair<double, double>> clip_to_box(const Vec2& a, const Vec2& direction, double first,
-                                                     double last, const Bounds& box) {
+std::optional<std::pair<double, double>> clip_to_box(const Vec2& a, const Vec2& direction, double first, double last,
+                                                     const Bounds& box) {
   for (int k = 0; k < 2; ++k) {
     if (direction[k] == 0) {
       if (a[k] < box.min[k] || a[k] > box.max[k]) return std::nullopt;

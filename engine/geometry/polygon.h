@@ -44,8 +44,8 @@ Polyline convex_hull(const Polyline& points);  // counter-clockwise
 
 // The part of the line a + t·direction with first ≤ t ≤ last inside the box, as its range of t, or nothing
 // where it misses the box or only touches a corner.
-std::optional<std::pair<double, double>> clip_to_box(const Vec2& a, const Vec2& direction, double first,
-                                                     double last, const Bounds& box);
+std::optional<std::pair<double, double>> clip_to_box(const Vec2& a, const Vec2& direction, double first, double last,
+                                                     const Bounds& box);
 
 bool contains(const Polyline& polygon, const Vec2& point);  // boundary counts as inside
 double distance_to_boundary(const Polyline& polygon, const Vec2& point);

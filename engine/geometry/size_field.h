@@ -8,8 +8,8 @@
 namespace talus {
 
 // A frame that moves, turns and grows with the outline: x runs along its first edge. Meshers work in it, coordinates of
-// given points rounded to `resolution`: the same scene 10 km off, turned or 1000 times larger gives the same numbers, and so the
-// same mesh.
+// given points rounded to `resolution`: the same scene 10 km off, turned or 1000 times larger gives the same numbers,
+// and so the same mesh.
 class MeshFrame {
  public:
   static constexpr double resolution = 0x1p-36;
@@ -32,8 +32,7 @@ class MeshFrame {
 
 class SizeField {
  public:
-  SizeField(const MeshFrame& frame, const std::function<double(Vec2)>& size_at)
-      : frame_(frame), size_at_(size_at) {}
+  SizeField(const MeshFrame& frame, const std::function<double(Vec2)>& size_at) : frame_(frame), size_at_(size_at) {}
 
   // Wanted edge length at a local point, local units. Throws std::invalid_argument where it is not positive.
   double at(const Vec2& local) const;

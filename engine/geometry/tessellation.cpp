@@ -76,13 +76,12 @@ std::vector<BoundaryEdge> boundary_edges(const Tessellation& t) {
   const std::vector<Side> sides = sorted_sides(t);
   std::vector<BoundaryEdge> edges;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    const bool paired = (i > 0 && same_edge(sides[i - 1], sides[i])) ||
-                        (i + 1 < sides.size() && same_edge(sides[i], sides[i + 1]));
+    const bool paired =
+        (i > 0 && same_edge(sides[i - 1], sides[i])) || (i + 1 < sides.size() && same_edge(sides[i], sides[i + 1]));
     if (!paired) edges.push_back({sides[i].cell, sides[i].from(), sides[i].to()});
   }
-  std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& e, const BoundaryEdge& f) {
-    return std::tie(e.cell, e.p) < std::tie(f.cell, f.p);
-  });
+  std::sort(edges.begin(), edges.end(),
+            [](const BoundaryEdge& e, const BoundaryEdge& f) { return std::tie(e.cell, e.p) < std::tie(f.cell, f.p); });
   return edges;
 }
 

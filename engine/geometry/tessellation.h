@@ -72,7 +72,8 @@ enum class Pattern { cross, diagonal, alternating };
 // the same division get the same points on their common edge, to the bit. No holes, no traces.
 // Throws std::invalid_argument when the outline is no rectangle.
 Tessellation pattern(const Polyline& outline, Pattern kind, int nx, int ny);
-// The corners of a rectangle counter-clockwise, the first edge being the one that runs most nearly along +x: nx counts along it.
+// The corners of a rectangle counter-clockwise, the first edge being the one that runs most nearly along +x: nx counts
+// along it.
 Polyline turned_corners(Polyline corners);
 
 // Edges of cells on the boundary of the tessellation (no interface there): cell, p, q with the cell on the left.

@@ -70,8 +70,7 @@ int CsvReader::column(const Cells& header, const char* name) const {
   };
   const auto found = std::find_if(header.begin(), header.end(), same);
   if (found == header.end()) return -1;
-  if (std::find_if(found + 1, header.end(), same) != header.end())
-    refuse(std::string("one column ") + name, "two");
+  if (std::find_if(found + 1, header.end(), same) != header.end()) refuse(std::string("one column ") + name, "two");
   return static_cast<int>(found - header.begin());
 }
 

@@ -27,8 +27,8 @@ struct Drawing {
 class FileError : public std::runtime_error {
  public:
   FileError(const std::string& file, int line, const std::string& expected, const std::string& given)
-      : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : "") + ": expected " + expected +
-                           ", got " + given) {}
+      : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : "") + ": expected " + expected + ", got " +
+                           given) {}
 };
 
 // The text of a regular file; `shown` is how messages call it.

@@ -44,8 +44,7 @@ struct Entity {
 
 class DxfReader {
  public:
-  DxfReader(const std::string& text, const std::string& file, double chord)
-      : rows_(text), file_(file), chord_(chord) {}
+  DxfReader(const std::string& text, const std::string& file, double chord) : rows_(text), file_(file), chord_(chord) {}
   Drawing read();
 
  private:
@@ -116,8 +115,7 @@ int DxfReader::side(const Entity& entity) const {
 
 void DxfReader::read_unit(const Group& group) {
   const double code = number(group);
-  const auto unit =
-      std::find_if(std::begin(units), std::end(units), [code](const Unit& u) { return u.code == code; });
+  const auto unit = std::find_if(std::begin(units), std::end(units), [code](const Unit& u) { return u.code == code; });
   if (code == 0) return;
   if (unit == std::end(units)) refuse(group.line, "$INSUNITS of a length up to hectometres", quoted(group.value));
   drawing_.unit = unit->metres;
@@ -223,8 +221,7 @@ Drawing DxfReader::read() {
   bool drawn = false;
   for (Group group = next(); group.value != "EOF" || group.code != 0; group = next()) {
     if (group.code == 999) continue;  // comment
-    if (group.code != 0 || group.value != "SECTION")
-      refuse(group.line, "0, SECTION or 0, EOF", quoted(group.value));
+    if (group.code != 0 || group.value != "SECTION") refuse(group.line, "0, SECTION or 0, EOF", quoted(group.value));
     const Group name = next();
     if (name.code != 2) refuse(name.line, "the name of a section", quoted(name.value));
     drawn = drawn || name.value == "ENTITIES";

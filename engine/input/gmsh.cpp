@@ -47,9 +47,10 @@ class GmshReader {
 
   TextRows rows_;
   const std::string& file_;
-  bool old_ = false;  // version 2
-  std::map<std::pair<int, long>, std::string> names_;                // of physical groups, by dimension and tag
-  std::map<std::pair<int, long>, long> group_of_;                    // version 4: of curves and surfaces, the first of theirs
+  bool old_ = false;                                   // version 2
+  std::map<std::pair<int, long>, std::string> names_;  // of physical groups, by dimension and tag
+  // version 4: of curves and surfaces, the first of theirs
+  std::map<std::pair<int, long>, long> group_of_;
   std::unordered_map<long, int> index_;
   double z_ = 0;
   GmshMesh mesh_;
@@ -95,9 +96,9 @@ void GmshReader::read_format() {
   const Words format = words("the version, 0 for ASCII and the size of a number, as in \"4.1 0 8\"", 3);
   old_ = format[0].starts_with("2");
   if (!old_ && format[0] != "4.1")
-    refuse("version 2.2 or 4.1", "version " + std::string(format[0]) + ": save it with gmsh -format msh22 or -format msh41");
-  if (format[1] != "0")
-    refuse("an ASCII mesh", "a binary one: save it without -bin, with Mesh.Binary = 0");
+    refuse("version 2.2 or 4.1",
+           "version " + std::string(format[0]) + ": save it with gmsh -format msh22 or -format msh41");
+  if (format[1] != "0") refuse("an ASCII mesh", "a binary one: save it without -bin, with Mesh.Binary = 0");
   end_section("MeshFormat");
 }
 
@@ -136,9 +137,11 @@ void GmshReader::read_entities() {
 void GmshReader::add_node(std::string_view tag, const Words& place, std::size_t first) {
   const double z = number(place[first + 2]);
   if (mesh_.points.empty()) z_ = z;
-  if (z != z_) refuse("a mesh in a plane z = const", "nodes at z = " + std::to_string(z_) + " and z = " + std::to_string(z));
+  if (z != z_)
+    refuse("a mesh in a plane z = const", "nodes at z = " + std::to_string(z_) + " and z = " + std::to_string(z));
   if (mesh_.points.size() >= most_points) refuse("at most 1000000 nodes", "more");
-  if (!index_.emplace(whole(tag, "a node's tag"), int(mesh_.points.size())).second) refuse("each node once", "node " + std::string(tag) + " again");
+  if (!index_.emplace(whole(tag, "a node's tag"), int(mesh_.points.size())).second)
+    refuse("each node once", "node " + std::string(tag) + " again");
   mesh_.points.push_back({number(place[first]), number(place[first + 1])});
 }
 
@@ -161,23 +164,33 @@ void GmshReader::read_nodes() {
 
 ElementKind GmshReader::kind_of(long type) const {
   switch (type) {
-    case 1: return {2, 2, false};
-    case 2: return {3, 3, false};
-    case 3: return {4, 4, false};
-    case 8: return {3, 2, true};
-    case 9: return {6, 3, true};
-    case 10: return {9, 4, true};
-    case 15: return {1, 1, false};
-    case 16: return {8, 4, true};
+    case 1:
+      return {2, 2, false};
+    case 2:
+      return {3, 3, false};
+    case 3:
+      return {4, 4, false};
+    case 8:
+      return {3, 2, true};
+    case 9:
+      return {6, 3, true};
+    case 10:
+      return {9, 4, true};
+    case 15:
+      return {1, 1, false};
+    case 16:
+      return {8, 4, true};
     default:
       refuse("points, lines, triangles and quadrangles",
-             "an element of type " + std::to_string(type) + (type >= 4 && type <= 7 ? " (a solid: mesh in two dimensions, gmsh -2)" : ""));
+             "an element of type " + std::to_string(type) +
+                 (type >= 4 && type <= 7 ? " (a solid: mesh in two dimensions, gmsh -2)" : ""));
   }
 }
 
 int GmshReader::point(std::string_view word) const {
   const auto found = index_.find(whole(word, "a node's tag"));
-  if (found == index_.end()) refuse("a node of the section $Nodes, which comes before $Elements", "node " + std::string(word));
+  if (found == index_.end())
+    refuse("a node of the section $Nodes, which comes before $Elements", "node " + std::string(word));
   return found->second;
 }
 
@@ -190,7 +203,8 @@ std::string GmshReader::name_of(int dimension, long group) const {
 void GmshReader::add_element(long type, long group, const Words& nodes, std::size_t first) {
   const ElementKind kind = kind_of(type);
   if (nodes.size() < first + std::size_t(kind.nodes))
-    refuse(std::to_string(kind.nodes) + " nodes of an element of type " + std::to_string(type), std::to_string(nodes.size() - first));
+    refuse(std::to_string(kind.nodes) + " nodes of an element of type " + std::to_string(type),
+           std::to_string(nodes.size() - first));
   std::vector<int> cell;
   for (int k = 0; k < kind.corners; ++k) cell.push_back(point(nodes[first + std::size_t(k)]));
   mesh_.curved += kind.curved && kind.corners > 2;
@@ -198,7 +212,8 @@ void GmshReader::add_element(long type, long group, const Words& nodes, std::siz
   if (kind.corners < 3) return;
   double twice = 0;
   const Vec2& first_corner = mesh_.points[cell[0]];  // differences keep their digits far from the origin
-  for (std::size_t k = 1; k + 1 < cell.size(); ++k) twice += cross(mesh_.points[cell[k]] - first_corner, mesh_.points[cell[k + 1]] - first_corner);
+  for (std::size_t k = 1; k + 1 < cell.size(); ++k)
+    twice += cross(mesh_.points[cell[k]] - first_corner, mesh_.points[cell[k + 1]] - first_corner);
   if (twice == 0) refuse("an element with an area", "one without");
   if (twice < 0) std::reverse(cell.begin(), cell.end());
   mesh_.surfaces[name_of(2, group)].cells.push_back(std::move(cell));
@@ -211,8 +226,10 @@ void GmshReader::read_elements() {
     if (old_) {
       const Words element = words("an element's tag, type, count of tags, tags and nodes", 4);
       const long tags = count(element[2], "a count of tags");
-      if (element.size() < std::size_t(3 + tags)) refuse(std::to_string(tags) + " tags", std::to_string(element.size() - 3));
-      add_element(whole(element[1], "a type"), tags > 0 ? whole(element[3], "a physical tag") : 0, element, std::size_t(3 + tags));
+      if (element.size() < std::size_t(3 + tags))
+        refuse(std::to_string(tags) + " tags", std::to_string(element.size() - 3));
+      add_element(whole(element[1], "a type"), tags > 0 ? whole(element[3], "a physical tag") : 0, element,
+                  std::size_t(3 + tags));
       continue;
     }
     const Words entity = words("dimension, tag, type and count of a block of elements", 4);
@@ -237,21 +254,30 @@ void GmshReader::skip_section(const std::string& name) {
 GmshMesh GmshReader::read() {
   bool first = true;
   while (const auto text = rows_.next()) {
-    if (text->find('\0') != std::string_view::npos) refuse("an ASCII mesh", "a binary file: save it without -bin, with Mesh.Binary = 0");
+    if (text->find('\0') != std::string_view::npos)
+      refuse("an ASCII mesh", "a binary file: save it without -bin, with Mesh.Binary = 0");
     if (text->empty()) continue;
     if (first && *text != "$MeshFormat") refuse("a .msh file of Gmsh, which begins with $MeshFormat", quoted(*text));
     first = false;
     if (!text->starts_with('$')) refuse("the name of a section, as $Nodes", quoted(*text));
     const std::string name(text->substr(1));
-    if (name == "MeshFormat") read_format();
-    else if (name == "PhysicalNames") read_names();
-    else if (name == "Entities" && !old_) read_entities();
-    else if (name == "Nodes") read_nodes();
-    else if (name == "Elements") read_elements();
-    else skip_section(name);
+    if (name == "MeshFormat")
+      read_format();
+    else if (name == "PhysicalNames")
+      read_names();
+    else if (name == "Entities" && !old_)
+      read_entities();
+    else if (name == "Nodes")
+      read_nodes();
+    else if (name == "Elements")
+      read_elements();
+    else
+      skip_section(name);
   }
   if (first) refuse("a .msh file of Gmsh, which begins with $MeshFormat", "an empty file");
-  if (mesh_.surfaces.empty()) refuse("triangles or quadrangles", "none: mesh in two dimensions (gmsh -2); with physical groups only those are saved");
+  if (mesh_.surfaces.empty())
+    refuse("triangles or quadrangles",
+           "none: mesh in two dimensions (gmsh -2); with physical groups only those are saved");
   return std::move(mesh_);
 }
 
@@ -270,9 +296,12 @@ std::vector<std::array<Vec2, 2>> straight_runs(const GmshMesh& mesh, const std::
     bool joined = false;
     for (std::size_t r = runs.size(); r-- > 0 && !joined;) {
       const Vec2 along = runs[r][1] - runs[r][0];
-      if (std::abs(cross(along, q - p)) > straight_sine * along.norm() * (q - p).norm() || along.dot(q - p) < 0) continue;
-      if (ends[r][1] == line[0]) runs[r][1] = q, ends[r][1] = line[1], joined = true;
-      else if (ends[r][0] == line[1]) runs[r][0] = p, ends[r][0] = line[0], joined = true;
+      if (std::abs(cross(along, q - p)) > straight_sine * along.norm() * (q - p).norm() || along.dot(q - p) < 0)
+        continue;
+      if (ends[r][1] == line[0])
+        runs[r][1] = q, ends[r][1] = line[1], joined = true;
+      else if (ends[r][0] == line[1])
+        runs[r][0] = p, ends[r][0] = line[0], joined = true;
     }
     if (joined) continue;
     runs.push_back({p, q});

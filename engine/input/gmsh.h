@@ -11,13 +11,13 @@ namespace talus {
 
 struct GmshMesh {
   struct Group {
-    std::vector<std::vector<int>> cells;        // triangles and quadrangles, counter-clockwise: indices of points
-    std::vector<std::array<int, 2>> lines;      // of a physical curve
+    std::vector<std::vector<int>> cells;    // triangles and quadrangles, counter-clockwise: indices of points
+    std::vector<std::array<int, 2>> lines;  // of a physical curve
   };
-  std::vector<Vec2> points;                     // units of the file
-  std::map<std::string, Group> surfaces;        // by physical name; "group 3" where it has none, "" for elements of no group
-  std::map<std::string, Group> curves;          // likewise; elements of no group are left out
-  long curved = 0;                              // elements of second order, taken by their corners
+  std::vector<Vec2> points;               // units of the file
+  std::map<std::string, Group> surfaces;  // by physical name; "group 3" where it has none, "" for elements of no group
+  std::map<std::string, Group> curves;    // likewise; elements of no group are left out
+  long curved = 0;                        // elements of second order, taken by their corners
 };
 
 // Throws FileError with the file's line.

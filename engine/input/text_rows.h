@@ -24,7 +24,6 @@ std::optional<double> finite_number(std::string_view text);
 // As messages show it: in quotes, cut where it is long, without control characters.
 std::string quoted(std::string_view text);
 
-constexpr std::size_t most_points =
-    1000000;  // of a drawing: more is no trace map, and cutting by it would not end
+constexpr std::size_t most_points = 1000000;  // of a drawing: more is no trace map, and cutting by it would not end
 
 }  // namespace talus

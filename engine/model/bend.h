@@ -1,9 +1,10 @@
 #pragma once
-// The quadratic part of a second-order block's displacement, in the block's own turning axes and of the undeformed arm X:
+// The quadratic part of a second-order block's displacement, in the block's own turning axes and of the undeformed arm
+// X:
 //   q(X) = Σ_k m_k(X) (b_k, b_{3+k}),   m = (X², XY, Y²)/l² less their means over the block.
-// Less their means, so that the centroid is where it was; and as ∇m vanishes at the centroid, and its mean over the block
-// too, the rotation and the strain of the block's middle, which are their means, are those of a first-order block.
-// The six b are in metres.
+// Less their means, so that the centroid is where it was; and as ∇m vanishes at the centroid, and its mean over the
+// block too, the rotation and the strain of the block's middle, which are their means, are those of a first-order
+// block. The six b are in metres.
 #include <array>
 
 #include "geometry/vec2.h"

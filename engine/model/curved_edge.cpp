@@ -4,8 +4,9 @@
 
 namespace talus {
 
-// Newton's method on (p - x)·x' = 0, from the foot on the straight line. Edges that bend by less than their length need two or three steps; where a
-// point is farther than the edge's radius, and has more than one foot, it stays at the last that had one.
+// Newton's method on (p - x)·x' = 0, from the foot on the straight line. Edges that bend by less than their length need
+// two or three steps; where a point is farther than the edge's radius, and has more than one foot, it stays at the last
+// that had one.
 double CurvedEdge::nearest(const Vec2& point) const {
   constexpr int most_steps = 8;
   constexpr double settled = 1e-15;  // of the edge

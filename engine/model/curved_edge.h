@@ -1,5 +1,6 @@
 #pragma once
-// An edge of a second-order block as it bends: displacements that are quadratic in the block leave it a parabola, exactly.
+// An edge of a second-order block as it bends: displacements that are quadratic in the block leave it a parabola,
+// exactly.
 #include <algorithm>
 
 #include "geometry/vec2.h"

@@ -1,6 +1,7 @@
 #pragma once
-// Where integrals along an edge are taken. The displacement of a first-order block is linear along an edge and that of a
-// second-order one quadratic, so that the square of a jump is of degree two or four: two and three points of Gauss are exact.
+// Where integrals along an edge are taken. The displacement of a first-order block is linear along an edge and that of
+// a second-order one quadratic, so that the square of a jump is of degree two or four: two and three points of Gauss
+// are exact.
 #include <span>
 
 #include "model/model.h"
@@ -17,6 +18,8 @@ inline std::span<const GaussPoint> gauss_points(int count) {
   static constexpr GaussPoint of_three[] = {{0.5 - three, 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + three, 5.0 / 18}};
   return count == 2 ? std::span<const GaussPoint>(of_two) : std::span<const GaussPoint>(of_three);
 }
-inline std::span<const GaussPoint> gauss_points(const BlockShape& shape) { return gauss_points(shape.second_order() ? 3 : 2); }
+inline std::span<const GaussPoint> gauss_points(const BlockShape& shape) {
+  return gauss_points(shape.second_order() ? 3 : 2);
+}
 
 }  // namespace talus

@@ -73,7 +73,8 @@ Vec2 Model::bent_velocity(int block, const Vec2& in_block, const Vec2& point) co
 
 Vec2 Model::rise(int block, int edge, const BlockState& state) const {
   const BlockShape& shape = shapes[block];
-  const Vec2 along = reference_vertex[shape.vertex_begin + next_vertex(block, edge)] - reference_vertex[shape.vertex_begin + edge];
+  const Vec2 along =
+      reference_vertex[shape.vertex_begin + next_vertex(block, edge)] - reference_vertex[shape.vertex_begin + edge];
   return Rotation::of(state.angle).turn(Bend::sum(shape.bend().rise(along), *state.bend));
 }
 
@@ -83,20 +84,26 @@ CurvedEdge Model::curved_edge(int block, int edge) const {
 }
 
 bool Model::dented(int block, std::span<const Vec2> corners) const {
-  constexpr double straight = 3e-5;  // sine of an angle: sides of slender blocks then sag by less than what corners in one place may be apart
-  const auto turn = [](const Vec2& before, const Vec2& at, const Vec2& after) { return cross(at - before, after - at) / ((at - before).norm() * (after - at).norm()); };
+  // sine of an angle: sides of slender blocks then sag by less than what corners in one place may be apart
+  constexpr double straight = 3e-5;
+  const auto turn = [](const Vec2& before, const Vec2& at, const Vec2& after) {
+    return cross(at - before, after - at) / ((at - before).norm() * (after - at).norm());
+  };
   const int count = vertex_count(block);
   const Vec2* const drawn = reference_vertex.data() + shapes[block].vertex_begin;
   for (int v = 0; curved(block) && v < count; ++v) {
     const int before = v == 0 ? count - 1 : v - 1, after = next_vertex(block, v);
-    if (turn(corners[size_t(before)], corners[size_t(v)], corners[size_t(after)]) < -straight && turn(drawn[before], drawn[v], drawn[after]) > -straight) return true;
+    if (turn(corners[size_t(before)], corners[size_t(v)], corners[size_t(after)]) < -straight &&
+        turn(drawn[before], drawn[v], drawn[after]) > -straight)
+      return true;
   }
   return false;
 }
 
 double Model::largest_rise(int block, const BlockState& state) const {
   double largest = 0;
-  for (int e = 0; curved(block) && e < vertex_count(block); ++e) largest = std::max(largest, rise(block, e, state).norm());
+  for (int e = 0; curved(block) && e < vertex_count(block); ++e)
+    largest = std::max(largest, rise(block, e, state).norm());
   return largest;
 }
 

@@ -18,10 +18,13 @@ inline Rates rates_of_way(const BlockShape& shape, const BlockState& from, const
   const Vec3 strain = (to.strain - from.strain) * shape.length / dt;
   const double turn = (to.angle - from.angle) * shape.length / dt;
   for (int k = 0; k < first_order_dofs; ++k) rates[k] = k < 2 ? shift[k] : k == 2 ? turn : strain[k - 3];
-  for (size_t k = 0; from.bend && k < from.bend->size(); ++k) rates[first_order_dofs + k] = ((*to.bend)[k] - (*from.bend)[k]) / dt;
+  for (size_t k = 0; from.bend && k < from.bend->size(); ++k)
+    rates[first_order_dofs + k] = ((*to.bend)[k] - (*from.bend)[k]) / dt;
   return rates;
 }
 
-inline bool stands_still(const Model& model, int block) { return stands_still(model.blocks[size_t(block)].velocity); }
+inline bool stands_still(const Model& model, int block) {
+  return stands_still(model.blocks[size_t(block)].velocity);
+}
 
 }  // namespace talus

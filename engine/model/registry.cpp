@@ -16,7 +16,8 @@ Bends bends_of(const Model& model) {
     if (!model.shapes[b].second_order()) continue;
     const BlockState& state = model.blocks[b];
     auto& bend = bends[size_t(model.shapes[b].quadratic)];
-    std::copy(state.velocity.begin() + first_order_dofs, state.velocity.end(), std::copy(state.bend->begin(), state.bend->end(), bend.begin()));
+    std::copy(state.velocity.begin() + first_order_dofs, state.velocity.end(),
+              std::copy(state.bend->begin(), state.bend->end(), bend.begin()));
   }
   return bends;
 }
@@ -77,7 +78,8 @@ void visit_state(Model& model, StateVisitor& v) {
   v.constant("edge_fixities", model.edge_fixities);
   v.constant("point_forces", model.point_forces);
   v.constant("edge_forces", model.edge_forces);
-  // vertex comes from blocks, fragment from joints, held_blocks from shapes; revision and sleep_changes only tell that something changed.
+  // vertex comes from blocks, fragment from joints, held_blocks from shapes; revision and sleep_changes only tell that
+  // something changed.
 }
 
 void visit_values(Scene& scene, StateVisitor& v) {
@@ -93,7 +95,9 @@ namespace {
 template <class T>
 void visit(std::optional<T>& part, StateVisitor& v);
 
-void visit(double& number, StateVisitor& v) { v("number", number); }
+void visit(double& number, StateVisitor& v) {
+  v("number", number);
+}
 
 void visit(Orifice& orifice, StateVisitor& v) {
   auto& [coefficient, gamma, density, atmosphere, opening] = orifice;
@@ -117,7 +121,8 @@ void visit(std::optional<T>& part, StateVisitor& v) {
 
 void visit_charges(Scene& scene, StateVisitor& v) {
   for (Charge& charge : scene.charges) {
-    [[maybe_unused]] auto& [place, name, region, hole, delay, mass, law, check_fall, gas_speed, constant_speed, venting, orifice, stemming] = charge;
+    [[maybe_unused]] auto& [place, name, region, hole, delay, mass, law, check_fall, gas_speed, constant_speed, venting,
+                            orifice, stemming] = charge;
     v("name", name);
     v("region", region);
     v("hole", hole);
@@ -189,9 +194,11 @@ void visit_state(Bridge& bridge, StateVisitor& v) {
 }
 
 void visit_state(Joint& joint, StateVisitor& v) {
-  auto& [a, b, property, trace, bonded, state, mode, crack, failed_at, failed_with, left_with, utilisation, scatter, remaining,
-         most_opening, most_slip, off_path, path_turn, bridged, kind, length, normal, in_a, in_b, edge_a, edge_b, sides, node, weight_a, weight_b, points] = joint;
-  for (int* number : {&a, &b, &property, &trace, &edge_a, &edge_b, &sides, &node[0], &node[1]}) v.constant("joint", *number);
+  auto& [a, b, property, trace, bonded, state, mode, crack, failed_at, failed_with, left_with, utilisation, scatter,
+         remaining, most_opening, most_slip, off_path, path_turn, bridged, kind, length, normal, in_a, in_b, edge_a,
+         edge_b, sides, node, weight_a, weight_b, points] = joint;
+  for (int* number : {&a, &b, &property, &trace, &edge_a, &edge_b, &sides, &node[0], &node[1]})
+    v.constant("joint", *number);
   v.constant("bonded", bonded);
   v.constant("scatter", scatter);
   v.constant("kind", kind);
@@ -226,8 +233,10 @@ void visit_state(Strength& strength, StateVisitor& v) {
 
 void visit_state(Contact& contact, StateVisitor& v) {
   // coheres: begins anew with each search.
-  [[maybe_unused]] auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness, gap, offset, height, slope, lies, stretch, slip, slid,
-                          normal_force, shear_force, may_part, parts, lifted, parting, deeper, load_normal, load_shear, load_slip, load_climb, coheres, global_vertex, global_edge] = contact;
+  [[maybe_unused]] auto& [i, vertex, j, edge, kind, state, property, joint, length, normal_stiffness, shear_stiffness,
+                          gap, offset, height, slope, lies, stretch, slip, slid, normal_force, shear_force, may_part,
+                          parts, lifted, parting, deeper, load_normal, load_shear, load_slip, load_climb, coheres,
+                          global_vertex, global_edge] = contact;
   v("i", i);
   v("vertex", vertex);
   v("j", j);
@@ -272,8 +281,8 @@ void visit_state(Material& material, StateVisitor& v) {
 
 void visit_state(JointProperty& property, StateVisitor& v) {
   [[maybe_unused]] auto& [place, name, friction, cohesion, tension, bond, penalty, stiffness_kind, stiffness,
-                          shear_ratio, restitution, breaks, residual, criterion, reduction, softening_compliance, shear_compliance,
-                          weibull, seed] = property;
+                          shear_ratio, restitution, breaks, residual, criterion, reduction, softening_compliance,
+                          shear_compliance, weibull, seed] = property;
   // criterion, reduction with its compliances: settled by the script; weibull, seed: see Joint::scatter
   v("friction", friction);
   v("cohesion", cohesion);

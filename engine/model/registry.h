@@ -1,6 +1,7 @@
 #pragma once
 // The registry of tables: what of a model a later step depends on, each listed once. Beside the model, the owners
-// of state are StepParts, Stepper, LoadSteps and Simulation (step/) and, for the files that a run writes, RunOutput (output/).
+// of state are StepParts, Stepper, LoadSteps and Simulation (step/) and, for the files that a run writes, RunOutput
+// (output/).
 //
 // Members are bound by position, so that a new one does not compile until it is placed here: as state, as a
 // constant, or left out with the reason.

@@ -49,8 +49,7 @@ std::string ByteReader::text() {
 
 void StateReader::take_law(std::function<double(double)>& function) {
   const bool was_there = bytes_.whole() != 0;
-  if (was_there && !function)
-    throw StateError("has a load or support by a function that this scene does not give");
+  if (was_there && !function) throw StateError("has a load or support by a function that this scene does not give");
   if (!was_there) function = nullptr;
 }
 

@@ -118,12 +118,24 @@ talus_outcome* talus_run(const talus_job* job) {
   return outcome;
 }
 
-int talus_status(const talus_outcome* outcome) { return outcome->status; }
-const char* talus_message(const talus_outcome* outcome) { return outcome->message.c_str(); }
-long talus_simulations(const talus_outcome* outcome) { return long(outcome->runs.size()); }
-const char* talus_report(const talus_outcome* outcome, long i) { return outcome->runs[std::size_t(i)].first.c_str(); }
-const char* talus_folder(const talus_outcome* outcome, long i) { return outcome->runs[std::size_t(i)].second.c_str(); }
-void talus_free(talus_outcome* outcome) { delete outcome; }
+int talus_status(const talus_outcome* outcome) {
+  return outcome->status;
+}
+const char* talus_message(const talus_outcome* outcome) {
+  return outcome->message.c_str();
+}
+long talus_simulations(const talus_outcome* outcome) {
+  return long(outcome->runs.size());
+}
+const char* talus_report(const talus_outcome* outcome, long i) {
+  return outcome->runs[std::size_t(i)].first.c_str();
+}
+const char* talus_folder(const talus_outcome* outcome, long i) {
+  return outcome->runs[std::size_t(i)].second.c_str();
+}
+void talus_free(talus_outcome* outcome) {
+  delete outcome;
+}
 
 int talus_main(int count, const char* const* arguments) {
   std::string message;
@@ -132,7 +144,9 @@ int talus_main(int count, const char* const* arguments) {
   return status;
 }
 
-int talus_interrupted(void) { return talus::interrupt_signal() != 0; }
+int talus_interrupted(void) {
+  return talus::interrupt_signal() != 0;
+}
 
 const char* talus_library(void) {
   static std::string folder;
@@ -141,6 +155,8 @@ const char* talus_library(void) {
   return folder.c_str();
 }
 
-const char* talus_version_text(void) { return talus::version; }
+const char* talus_version_text(void) {
+  return talus::version;
+}
 
 #pragma GCC visibility pop

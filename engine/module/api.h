@@ -7,7 +7,7 @@
 extern "C" {
 #endif
 
-typedef struct { /* an accepted step; SI units */
+typedef struct {   /* an accepted step; SI units */
   long simulation; /* of those that the scene makes, from 1 */
   long number;     /* of the step, from 1 */
   double time, dt, displacement;
@@ -41,8 +41,8 @@ void talus_free(talus_outcome* outcome);
 /* `talus scene.lua …` with these arguments (without the program's name); its exit status. Prints what that prints. */
 int talus_main(int count, const char* const* arguments);
 
-int talus_interrupted(void);           /* whether SIGINT, SIGTERM or a limit asks the run to end */
-const char* talus_library(void);       /* folder of the Lua library; "" where it is not found */
+int talus_interrupted(void);     /* whether SIGINT, SIGTERM or a limit asks the run to end */
+const char* talus_library(void); /* folder of the Lua library; "" where it is not found */
 const char* talus_version_text(void);
 
 #ifdef __cplusplus

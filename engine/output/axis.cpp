@@ -95,8 +95,7 @@ std::vector<double> linear_ticks(const Span& span, int wanted, bool whole) {
   if (whole) step = std::max(1.0, step);
   std::vector<double> ticks;
   const double slack = 1e-9 * span.length();
-  for (double k = std::ceil((span.low - slack) / step); k * step <= span.high + slack; ++k)
-    ticks.push_back(k * step);
+  for (double k = std::ceil((span.low - slack) / step); k * step <= span.high + slack; ++k) ticks.push_back(k * step);
   return ticks;
 }
 
@@ -135,8 +134,7 @@ ShownUnit shown_unit(const std::string& unit, double largest) {
     return {std::pow(1000, k), prefixes[k + 5] + with_powers(unit)};
   }
   if (largest >= 1e-2 && largest < 1e5) return {1, with_powers(unit)};
-  return {std::pow(1000, thousands),
-          "10" + superscript(3 * thousands) + (unit.empty() ? "" : " ") + with_powers(unit)};
+  return {std::pow(1000, thousands), "10" + superscript(3 * thousands) + (unit.empty() ? "" : " ") + with_powers(unit)};
 }
 
 std::string label(const std::string& symbol, const ShownUnit& unit) {
@@ -165,8 +163,7 @@ double text_width(const std::string& text, double size) {
 
 double left_margin(const Span& y, double height, bool log, const ShownUnit& unit) {
   double widest = 0;
-  for (const Tick& tick : y_ticks(y, height, log, unit))
-    widest = std::max(widest, text_width(tick.text, tick_size));
+  for (const Tick& tick : y_ticks(y, height, log, unit)) widest = std::max(widest, text_width(tick.text, tick_size));
   return widest + 14 + 2 * label_size;
 }
 

@@ -10,9 +10,9 @@ namespace talus {
 namespace {
 
 constexpr double number_size = 12, bar_label_size = 13;  // px
-constexpr double outlier_share = 0.02;               // at either end
+constexpr double outlier_share = 0.02;                   // at either end
 constexpr double one_value = 1e-5;  // range / value below which the numbers at the bar would all look the same
-constexpr double flattened = 2.5;  // full range / range without outliers from which they are cut off
+constexpr double flattened = 2.5;   // full range / range without outliers from which they are cut off
 
 // Two digits, away from zero or towards it so that the range only grows.
 double rounded(double value, bool up) {
@@ -70,8 +70,7 @@ Vec2 along(const ColourBar& bar, double from_low, double across) {
 void draw_point(Svg& svg, const ColourBar& bar, bool high) {
   const double at = high ? bar.length : 0, tip = at + (high ? 9 : -9);
   const Vec2 corners[] = {along(bar, at, 0), along(bar, tip, bar_thickness / 2), along(bar, at, bar_thickness)};
-  const std::string fill =
-      colour(bar.scale.map, bar.scale.place(high ? bar.scale.range.high : bar.scale.range.low));
+  const std::string fill = colour(bar.scale.map, bar.scale.place(high ? bar.scale.range.high : bar.scale.range.low));
   svg.polyline(corners, true, "fill=\"" + fill + "\" stroke=\"#444\" stroke-width=\"0.8\"");
 }
 
@@ -115,10 +114,8 @@ ColourScale colour_scale(std::vector<double> values, bool whole, double noise) {
     if (scale.above) scale.range.high = rounded(middle.high, true);
   }
   // Zero belongs on the bar where it is near.
-  if (!whole && scale.range.low > 0 && scale.range.low < 0.2 * scale.range.high && !scale.below)
-    scale.range.low = 0;
-  if (!whole && scale.range.high < 0 && scale.range.high > 0.2 * scale.range.low && !scale.above)
-    scale.range.high = 0;
+  if (!whole && scale.range.low > 0 && scale.range.low < 0.2 * scale.range.high && !scale.below) scale.range.low = 0;
+  if (!whole && scale.range.high < 0 && scale.range.high > 0.2 * scale.range.low && !scale.above) scale.range.high = 0;
   // A trace of the other sign does not make a field one of both signs.
   if (!whole && std::min(-scale.range.low, scale.range.high) > 0.05 * std::max(-scale.range.low, scale.range.high))
     scale.map = ColourMap::diverging;
@@ -162,8 +159,7 @@ void draw_bar(Svg& svg, const ColourBar& bar) {
   if (bar.scale.above) draw_point(svg, bar, true);
   for (const BarTick& tick : bar_ticks(bar)) {
     const double at = bar.length * (tick.value - bar.scale.range.low) / bar.scale.range.length();
-    svg.line(along(bar, at, bar_thickness), along(bar, at, bar_thickness + 4),
-             "stroke=\"#444\" stroke-width=\"1\"");
+    svg.line(along(bar, at, bar_thickness), along(bar, at, bar_thickness + 4), "stroke=\"#444\" stroke-width=\"1\"");
     const Vec2 beside = along(bar, at, bar_thickness + 7);
     if (bar.upright) {
       svg.text({beside.x(), beside.y() + 0.36 * number_size}, tick.text, {.size = number_size});

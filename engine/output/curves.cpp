@@ -30,7 +30,8 @@ std::vector<double> gas_row(const Simulation& simulation) {
 bool gas_is_over(const Simulation& simulation, const Record& record) {
   const auto& chambers = simulation.gas()->chambers();
   const auto is_over = [](const Chamber& chamber) {
-    return chamber.state == Chamber::State::merged || (chamber.state == Chamber::State::vented && chamber.pressure == 0);
+    return chamber.state == Chamber::State::merged ||
+           (chamber.state == Chamber::State::vented && chamber.pressure == 0);
   };
   if (record.size() == 0 || !std::all_of(chambers.begin(), chambers.end(), is_over)) return false;
   for (size_t wall = 0; wall < simulation.model.hole_walls.size(); ++wall)
@@ -137,8 +138,7 @@ void Curves::write(Simulation& simulation, const std::string& dir) {
   write_whole(dir + "/energy.svg", draw_energies(energies_, simulation.plan));
   if (simulation.plan.gas)
     for (const bool volume : {false, true})
-      write_whole(dir + (volume ? "/gas_volume.svg" : "/gas_pressure.svg"),
-                  draw_gas(gas_, simulation.model, volume));
+      write_whole(dir + (volume ? "/gas_volume.svg" : "/gas_pressure.svg"), draw_gas(gas_, simulation.model, volume));
   if (!moving_.empty())
     write_whole(dir + "/load_displacement.svg",
                 draw_load_displacement(supports_, moving_supports(simulation, moving_)));
@@ -151,8 +151,7 @@ void Curves::visit_state(StateVisitor& visitor) {
 }
 
 std::string draw_load_displacement(const Record& supports, const std::vector<MovingSupport>& now) {
-  Plot plot = {
-      .title = "Load against displacement", .x_label = "u", .x_unit = "m", .y_label = "R", .y_unit = "N/m"};
+  Plot plot = {.title = "Load against displacement", .x_label = "u", .x_unit = "m", .y_label = "R", .y_unit = "N/m"};
   for (size_t s = 0; s < now.size(); ++s) {
     const double most = std::max(largest_of(supports.column(support_columns * s)),
                                  largest_of(supports.column(support_columns * s + 1)));

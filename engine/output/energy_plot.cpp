@@ -30,16 +30,14 @@ std::vector<double> energy_row(const Simulation& simulation) {
 }
 
 std::string draw_energies(const Record& record, const Plan& plan) {
-  Plot plot = {
-      .title = "Energy (full: stored; dashed: put in, lost, unexplained)", .y_label = "E", .y_unit = "J/m"};
+  Plot plot = {.title = "Energy (full: stored; dashed: put in, lost, unexplained)", .y_label = "E", .y_unit = "J/m"};
   const auto terms = energy_terms(plan);
   double largest = 0;
   for (size_t k = 0; k < terms.size(); ++k) largest = std::max(largest, largest_size(record.column(k)));
   for (size_t k = 0; k < terms.size(); ++k) {
     const bool stored = terms[k]->kind == EnergyTerm::stored || terms[k]->kind == EnergyTerm::sum;
     Series series = {.name = terms[k]->label, .x = record.times(), .y = record.column(k), .dashed = !stored};
-    if (largest_size(series.y) > visible * largest || terms[k]->kind == EnergyTerm::rest)
-      plot.series.push_back(series);
+    if (largest_size(series.y) > visible * largest || terms[k]->kind == EnergyTerm::rest) plot.series.push_back(series);
   }
   return draw_plot(plot);
 }

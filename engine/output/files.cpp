@@ -22,20 +22,19 @@ namespace {
 constexpr std::string_view unfinished = ".part";  // ending of a file that is being written
 
 bool is_frame(std::string_view name, std::string_view stem, std::string_view ending) {
-  if (!name.starts_with(stem) || !name.ends_with(ending) || name.size() < stem.size() + ending.size() + 5)
-    return false;
+  if (!name.starts_with(stem) || !name.ends_with(ending) || name.size() < stem.size() + ending.size() + 5) return false;
   const auto number = name.substr(stem.size(), name.size() - stem.size() - ending.size());
   return std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
 bool is_own(std::string_view name) {
   if (name.ends_with(unfinished)) name.remove_suffix(unfinished.size());
-  for (const std::string_view own :
-       {"blocks.pvd", "joints.pvd", "cracks.pvd", "history.csv", "history_before.csv", "energy.svg", "gas_pressure.svg",
-         "gas_volume.svg", "load_displacement.svg", "run.json", "report.html", "view.html", "paraview.py", "checkpoint.state"})
+  for (const std::string_view own : {"blocks.pvd", "joints.pvd", "cracks.pvd", "history.csv", "history_before.csv",
+                                     "energy.svg", "gas_pressure.svg", "gas_volume.svg", "load_displacement.svg",
+                                     "run.json", "report.html", "view.html", "paraview.py", "checkpoint.state"})
     if (name == own) return true;
-  return is_frame(name, "blocks_", ".vtp") || is_frame(name, "joints_", ".vtp") ||
-         is_frame(name, "cracks_", ".vtp") || is_frame(name, "picture_", ".svg");
+  return is_frame(name, "blocks_", ".vtp") || is_frame(name, "joints_", ".vtp") || is_frame(name, "cracks_", ".vtp") ||
+         is_frame(name, "picture_", ".svg");
 }
 
 void remove_former(const fs::path& dir) {
@@ -77,8 +76,7 @@ std::string frame_name(const std::string& stem, int number, const std::string& e
 int frame_number(const std::string& name) {
   const std::size_t begin = name.find_last_of('_') + 1, end = name.find_last_of('.');
   int number = -1;
-  const auto [stop, error] =
-      std::from_chars(name.data() + begin, name.data() + std::min(end, name.size()), number);
+  const auto [stop, error] = std::from_chars(name.data() + begin, name.data() + std::min(end, name.size()), number);
   return error == std::errc() && stop == name.data() + end ? number : -1;
 }
 

@@ -34,7 +34,8 @@ std::string header(const Model& model, const Plan& plan, const std::vector<std::
       for (const char* what : {".volume [m3/m]", ".joined [m3/m]", ".pressure [Pa]"})
         line += "," + csv_cell(model.scene.charges[wall.charge].name + what);
   for (const std::string& name : moving)
-    for (const char* axis : {".ux [m]", ".uy [m]", ".reaction_x [N/m]", ".reaction_y [N/m]"}) line += "," + csv_cell(name + axis);
+    for (const char* axis : {".ux [m]", ".uy [m]", ".reaction_x [N/m]", ".reaction_y [N/m]"})
+      line += "," + csv_cell(name + axis);
   for (const ProbePoint& probe : model.probes)
     for (const char* column : probe_columns) {
       const Field& field = *find_field(probe_fields(), column);
@@ -111,8 +112,8 @@ void HistoryTable::write(const std::string& line) {
 void HistoryTable::add(Simulation& simulation, double residual, const std::vector<UserArray>& arrays) {
   const Model& model = simulation.model;
   const FieldContext context = {model, model.probes.empty() ? nullptr : simulation.recovery()};
-  std::string line = shortest(model.time) + "," + std::to_string(simulation.totals.steps) + "," +
-                     shortest(simulation.last.dt) + ",";
+  std::string line =
+      shortest(model.time) + "," + std::to_string(simulation.totals.steps) + "," + shortest(simulation.last.dt) + ",";
   const Energies energies = simulation.energies();
   for (const EnergyTerm* term : energy_terms(simulation.plan)) line += shortest(energies.*term->value) + ",";
   line += std::to_string(simulation.last.closed_contacts) + "," + shortest(residual);
@@ -139,8 +140,8 @@ void HistoryTable::add(Simulation& simulation, double residual, const std::vecto
   for (const UserArray& array : arrays) {
     const auto [least, most] = std::minmax_element(array.values.begin(), array.values.end());
     const double sum = std::accumulate(array.values.begin(), array.values.end(), 0.0);
-    line += "," + shortest(*least) + "," + shortest(sum / static_cast<double>(array.values.size())) + "," +
-            shortest(*most);
+    line +=
+        "," + shortest(*least) + "," + shortest(sum / static_cast<double>(array.values.size())) + "," + shortest(*most);
   }
   write(line);
 }

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "step/clock.h"
 #include "output/curves.h"
 #include "output/files.h"
 #include "output/history.h"
@@ -17,6 +16,7 @@
 #include "output/report_page.h"
 #include "output/user_arrays.h"
 #include "output/vtk_writer.h"
+#include "step/clock.h"
 #include "step/part_timer.h"
 
 namespace talus {
@@ -26,7 +26,8 @@ struct RunOutput::Parts {
   std::vector<RunAccount::Restore> restores;
   double started = wall_seconds();
   // By the clock of files, which lags behind by some milliseconds.
-  std::filesystem::file_time_type began = std::filesystem::file_time_type::clock::now() - std::chrono::milliseconds(100);
+  std::filesystem::file_time_type began =
+      std::filesystem::file_time_type::clock::now() - std::chrono::milliseconds(100);
   std::optional<PvdSeries> blocks, joints, cracks;
   std::optional<HistoryTable> history;
   Curves curves;
@@ -157,8 +158,12 @@ std::uint64_t RunOutput::layout() {
 namespace {
 
 // A step that ends at 0.3 may find itself at 0.29999999999999999: s, part of the interval that is as good as its end.
-double slack(double every) { return 1e-9 * every; }
-double next_output(double every, double time) { return every > 0 ? every * (std::floor((time + slack(every)) / every) + 1) : 0; }
+double slack(double every) {
+  return 1e-9 * every;
+}
+double next_output(double every, double time) {
+  return every > 0 ? every * (std::floor((time + slack(every)) / every) + 1) : 0;
+}
 
 }  // namespace
 
@@ -167,7 +172,8 @@ void RunOutput::rewind(const Simulation& simulation, const std::string& from) {
   parts_->history->rewind(parts_->row_step);
   for (std::optional<PvdSeries>* series : {&parts_->blocks, &parts_->joints, &parts_->cracks})
     if (*series) (*series)->rewind(parts_->frames);
-  parts_->next = next_output(simulation.model.scene.output.every, simulation.model.time);  // a state may have been saved with another interval
+  // a state may have been saved with another interval
+  parts_->next = next_output(simulation.model.scene.output.every, simulation.model.time);
   parts_->restores.push_back({from, simulation.totals.steps, simulation.model.time});
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Everything a run writes: <dir>/blocks.pvd and joints.pvd with a .vtp each per output time, history.csv,
-// picture_<n>.svg, energy.svg, run.json, report.html. Files are written whole under a temporary name and renamed, so a reader never
-// sees half of one.
+// picture_<n>.svg, energy.svg, run.json, report.html. Files are written whole under a temporary name and renamed, so a
+// reader never sees half of one.
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -57,7 +57,8 @@ class Progress {
  private:
   bool terminal_;
   double started_, last_ = 0;
-  double first_ = std::numeric_limits<double>::quiet_NaN(), first_time_ = 0;  // wall s since it started, and s of the scene, as the first step ended
+  // wall s since it started, and s of the scene, as the first step ended
+  double first_ = std::numeric_limits<double>::quiet_NaN(), first_time_ = 0;
 };
 
 // Writes `content` to `path` under a temporary name, then renames. Throws RunError naming path and reason.

@@ -17,7 +17,8 @@ void replace(std::string& text, const std::string& mark, const std::string& valu
 
 std::string paraview_state(const Output& output) {
   std::string folder = std::filesystem::absolute(output.dir).lexically_normal().string();
-  std::erase_if(folder, [](char c) { return c == '"' || c == '\n'; });  // would end the text; files beside it are found all the same
+  // would end the text; files beside it are found all the same
+  std::erase_if(folder, [](char c) { return c == '"' || c == '\n'; });
   while (folder.ends_with('/') || folder.ends_with('\\')) folder.pop_back();
   std::string text = view_parts::paraview;
   replace(text, "@FOLDER@", folder);

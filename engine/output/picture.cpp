@@ -11,10 +11,10 @@ namespace talus {
 namespace {
 
 constexpr double title_size = 17, line_size = 13, line_height = 19;  // px
-constexpr double room = 18;          // px between the blocks and the frame, at least
-constexpr double tallest = 0.72;     // frame height / picture width
-constexpr double least_width = 460;  // px, so that titles find room
-constexpr double wide_frame = 2.2;   // width / height from which the bar lies below
+constexpr double room = 18;                                          // px between the blocks and the frame, at least
+constexpr double tallest = 0.72;                                     // frame height / picture width
+constexpr double least_width = 460;                                  // px, so that titles find room
+constexpr double wide_frame = 2.2;                                   // width / height from which the bar lies below
 
 struct Box {
   Vec2 low = Vec2::Constant(INFINITY), high = Vec2::Constant(-INFINITY);
@@ -72,8 +72,8 @@ Layout lay_out(const Scenery& scenery) {
               : scenery.range  ? given_scale(*scenery.range, field.coloured, field.whole)
                                : colour_scale(field.coloured, field.whole, field.noise);
   const Span& range = bar.scale.range;
-  const double largest = bar.scale.flat ? std::abs(range.low + range.high) / 2
-                                        : std::max(std::abs(range.low), std::abs(range.high));
+  const double largest =
+      bar.scale.flat ? std::abs(range.low + range.high) / 2 : std::max(std::abs(range.low), std::abs(range.high));
   bar.unit = field.whole ? ShownUnit{} : shown_unit(field.unit, largest);
   bar.label = label(field.symbol, bar.unit);
   bar.subscripts = field.subscripts;
@@ -87,7 +87,8 @@ Layout lay_out(const Scenery& scenery) {
     const double right = field.categories ? 24 : bar.upright ? 22 + bar_margin(bar) + 14 : 24;
     frame.left = left_margin(frame.y, frame.height, false, out.metre) + 8;
     if (scenery.arrows) out.arrows = scenery.arrows(out.px_per_metre);
-    std::erase_if(out.arrows, [&](const Arrow& arrow) { return !box.contains(arrow.at); });  // on what has flown out of the picture
+    // on what has flown out of the picture
+    std::erase_if(out.arrows, [&](const Arrow& arrow) { return !box.contains(arrow.at); });
     const auto beyond = arrow_room(out.arrows, box, out.px_per_metre);
     const Vec2 rooms(beyond[0] + beyond[1], beyond[2] + beyond[3]);
     out.px_per_metre =
@@ -137,11 +138,14 @@ std::vector<Path> paths_by_level(const Layout& layout, const Scenery& scenery) {
   std::vector<Vec2> corners;
   for (std::size_t b = 0; b + 1 < scenery.begin.size(); ++b) {
     corners.clear();
-    for (int v = scenery.begin[b]; v < scenery.begin[b + 1]; ++v) corners.push_back(layout.frame.at(scenery.corners[v]));
+    for (int v = scenery.begin[b]; v < scenery.begin[b + 1]; ++v)
+      corners.push_back(layout.frame.at(scenery.corners[v]));
     if (!drawable(corners)) continue;
     int level = pale_level;
-    if (!scenery.field.of_lines && scenery.field.grey[b]) level = held_level;
-    else if (!scenery.field.of_lines) level = level_of(layout, scenery.field.values[b]);
+    if (!scenery.field.of_lines && scenery.field.grey[b])
+      level = held_level;
+    else if (!scenery.field.of_lines)
+      level = level_of(layout, scenery.field.values[b]);
     paths[level].add(corners, true);
   }
   return paths;
@@ -209,8 +213,8 @@ void draw_all_lines(Svg& svg, const Layout& layout, const Scenery& scenery) {
 
 // In tenths of a px: what it clips is drawn in them.
 std::string clip(const Frame& frame) {
-  return "<clipPath id=\"frame\"><rect x=\"" + px(10 * frame.left) + "\" y=\"" + px(10 * frame.top) +
-         "\" width=\"" + px(10 * frame.width) + "\" height=\"" + px(10 * frame.height) + "\"/></clipPath>\n";
+  return "<clipPath id=\"frame\"><rect x=\"" + px(10 * frame.left) + "\" y=\"" + px(10 * frame.top) + "\" width=\"" +
+         px(10 * frame.width) + "\" height=\"" + px(10 * frame.height) + "\"/></clipPath>\n";
 }
 
 }  // namespace

@@ -68,8 +68,7 @@ void check_picture_field(const Scene& scene, const std::string& name) {
   for (const Field& each : joint_fields())
     if (field_of_joints(each.name)) known.push_back(each.name);
   for (const auto& [each, function] : scene.output.fields) known.push_back(each);
-  throw InputError(scene.output.place, "output.picture",
-                   "a field of the blocks that is one number or a vector",
+  throw InputError(scene.output.place, "output.picture", "a field of the blocks that is one number or a vector",
                    "\"" + name + "\"" + suggestion(name, known));
 }
 
@@ -84,7 +83,9 @@ PictureField picture_field(const FieldContext& context, const std::string& name)
   out.symbol = field && !field->symbol.empty() ? field->symbol : name;
   out.subscripts = field && !field->symbol.empty();
   out.unit = field ? field->unit : of_joints ? of_joints->unit : "";
-  out.meaning = field ? field->meaning : of_joints ? "joints: " + of_joints->meaning + "; the largest of each block's" : name;
+  out.meaning = field       ? field->meaning
+                : of_joints ? "joints: " + of_joints->meaning + "; the largest of each block's"
+                            : name;
   out.whole = field && field->whole;
   out.noise = field && !field->whole ? rounding_noise(model, *field) : 0;
   const bool held_too = !field || says_something_of_held(*field);

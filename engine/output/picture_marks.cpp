@@ -62,8 +62,7 @@ std::vector<Arrow> edge_arrows(const Placement& placement, double px_per_metre) 
   Spaced room(22);
   for (const EdgeForce& edge : model.edge_forces) {
     const EdgeLoad& load = model.scene.edge_loads[edge.load];
-    const Vec2 from = placement.place(edge.block, edge.in_block[0]),
-               to = placement.place(edge.block, edge.in_block[1]);
+    const Vec2 from = placement.place(edge.block, edge.in_block[0]), to = placement.place(edge.block, edge.in_block[1]);
     const Vec2 given = value_at(load.traction, model.time), out = outward(from, to);
     const Vec2 value = load.is_pressure ? Vec2(-given.x() * out) : given;
     if (!(value.norm() > 0)) continue;

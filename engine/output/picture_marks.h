@@ -41,7 +41,7 @@ constexpr const char *tension_crack_colour = "#000000", *shear_crack_colour = "#
 constexpr double real_joint_px = 1.2;
 int failed_joints(const Model& model, FailureMode mode);
 constexpr const char* gas_colour = "#ff7f0e";
-std::vector<Segment> gas_lines(const Placement& placement);  // faces under pressure in the last step
+std::vector<Segment> gas_lines(const Placement& placement);                     // faces under pressure in the last step
 std::vector<Segment> open_lines(const Placement& placement, FailureMode mode);  // FailureMode::none: real joints
 void draw_fixities(Svg& svg, const Frame& frame, const Placement& placement);
 void draw_arrows(Svg& svg, const Frame& frame, const std::vector<Arrow>& arrows);

@@ -52,7 +52,8 @@ std::vector<Segment> segments(const ResultFrame& lines, const PlacedBlocks& plac
   for (std::size_t i = 0; i < lines.size(); ++i) {
     Segment& line = out.emplace_back();
     for (const int k : {0, 1})
-      line[k] = placed.beside(lines.points[std::size_t(lines.begin[i] + k)], a ? int(a->at(i)) : 0, b ? int(b->at(i)) : 0);
+      line[k] =
+          placed.beside(lines.points[std::size_t(lines.begin[i] + k)], a ? int(a->at(i)) : 0, b ? int(b->at(i)) : 0);
   }
   return out;
 }
@@ -61,8 +62,8 @@ std::vector<Segment> segments(const ResultFrame& lines, const PlacedBlocks& plac
 void add_cracks(Scenery& scenery, const ResultFrame& cracks, const PlacedBlocks& placed) {
   const ResultArray *mode = cracks.cell("mode"), *gas = cracks.cell("gas"), *opening = cracks.cell("opening");
   const std::vector<Segment> all = segments(cracks, placed);
-  SceneryLines with_gas = {{}, gas_colour, 4.5}, real = {{}, real_joint_colour, real_joint_px}, shear = {{}, shear_crack_colour},
-               tension = {{}, tension_crack_colour};
+  SceneryLines with_gas = {{}, gas_colour, 4.5}, real = {{}, real_joint_colour, real_joint_px},
+               shear = {{}, shear_crack_colour}, tension = {{}, tension_crack_colour};
   int count[3] = {};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const int how = mode ? int(mode->at(i)) : 0;
@@ -180,7 +181,8 @@ std::string draw_history(const ResultsFolder& run, const std::vector<std::string
     if (plot.series.empty()) {
       plot.y_unit = column.unit;
     } else if (column.unit != plot.y_unit) {
-      throw InputError({}, "--history", "columns of one unit (" + plot.y_unit + ")", "\"" + name + "\" in " + column.unit);
+      throw InputError({}, "--history", "columns of one unit (" + plot.y_unit + ")",
+                       "\"" + name + "\" in " + column.unit);
     }
     plot.series.push_back({.name = column.name, .x = columns.front().values, .y = column.values});
   }

@@ -10,12 +10,12 @@
 namespace talus {
 
 struct ResultPicture {
-  std::string field = "s1";     // an array of blocks, joints or cracks, or what is derived of one: ux, speed, …; "none"
+  std::string field = "s1";  // an array of blocks, joints or cracks, or what is derived of one: ux, speed, …; "none"
   std::optional<Span> range = {};  // of the colours
-  std::string vectors = {};     // an array of vectors, drawn as arrows; empty: none
-  double scale = 1;             // magnification of displacements
+  std::string vectors = {};        // an array of vectors, drawn as arrows; empty: none
+  double scale = 1;                // magnification of displacements
   bool cracks = true, edges = true;
-  int width = 1200;             // px
+  int width = 1200;  // px
 };
 
 // Throws InputError with the nearest name where the run has no such field.

@@ -125,7 +125,8 @@ std::string draw_plot(const Plot& plot) {
   frame.left = 10 + left_margin(frame.y, plot.height - 120., frame.log_y, y_unit);
   frame.width = plot.width - frame.left - 24;
   Svg svg;
-  if (!plot.title.empty()) svg.text({frame.left, 10 + plot_title_size}, plot.title, {.size = plot_title_size, .bold = true});
+  if (!plot.title.empty())
+    svg.text({frame.left, 10 + plot_title_size}, plot.title, {.size = plot_title_size, .bold = true});
   const int rows = draw_legend(svg, plot, frame.left, plot.width - 10., title);
   frame.top = title + legend_line * rows + 8;
   frame.height = plot.height - frame.top - 52;

@@ -4,9 +4,9 @@
 #include <iostream>
 #include <limits>
 
-#include "step/clock.h"
 #include "output/output.h"
 #include "output/text.h"
+#include "step/clock.h"
 
 namespace talus {
 
@@ -14,8 +14,10 @@ namespace {
 
 constexpr double quiet = 1;                               // s of a run without any progress line
 constexpr double terminal_every = 0.1, plain_every = 10;  // s between lines
-constexpr double worth_a_note = 0.01;                      // of the ledger's scale, that is unexplained or came from nothing: the bound of verification
-constexpr double little_damping = 0.6;                     // of theta: below it what turns may gain energy (docs/theory.md, § 2)
+// of the ledger's scale, that is unexplained or came from nothing: the bound of verification
+constexpr double worth_a_note = 0.01;
+// of theta: below it what turns may gain energy (docs/theory.md, § 2)
+constexpr double little_damping = 0.6;
 constexpr const char* clear_line = "\r\x1b[K";
 
 std::string scientific(double value) {
@@ -29,16 +31,20 @@ std::string scientific(double value) {
 void tell_energies(const Simulation& simulation) {
   const Energies energies = simulation.energies();
   const Numerics& numerics = simulation.model.scene.numerics;
-  const bool undamped = simulation.plan.dynamic && numerics.integrator == Integrator::theta && numerics.theta < little_damping;
-  const char* const advice = undamped                  ? "numerics.theta below 0.6 gains energy in what turns on pins and bonds; its default is 0.75"
-                             : simulation.plan.dynamic ? "a smaller time.dt tells whether the answer hangs on it"
-                                                       : "more load steps tell whether the answer hangs on it";
+  const bool undamped =
+      simulation.plan.dynamic && numerics.integrator == Integrator::theta && numerics.theta < little_damping;
+  const char* const advice =
+      undamped ? "numerics.theta below 0.6 gains energy in what turns on pins and bonds; its default is 0.75"
+      : simulation.plan.dynamic ? "a smaller time.dt tells whether the answer hangs on it"
+                                : "more load steps tell whether the answer hangs on it";
   const auto tell = [&](double part, const char* what) {
     if (part > worth_a_note * energies.scale)
-      std::cerr << "note: " << significant(100 * part / energies.scale, 2) << " % of the energy " << what << ": " << advice << "\n";
+      std::cerr << "note: " << significant(100 * part / energies.scale, 2) << " % of the energy " << what << ": "
+                << advice << "\n";
   };
   tell(std::abs(energies.unexplained), "is unexplained (sim.energy.unexplained over scale)");
-  if (undamped || !simulation.plan.dynamic)  // else the floor of what rests on it may lift places y by as much for a while
+  // else the floor of what rests on it may lift places y by as much for a while
+  if (undamped || !simulation.plan.dynamic)
     tell(-energies.numerical, "came from nothing (sim.energy.numerical is negative)");
 }
 
@@ -73,14 +79,13 @@ Progress::Progress(bool terminal) : terminal_(terminal), started_(wall_seconds()
 
 void Progress::after_step(const Simulation& simulation) {
   const double running = wall_seconds() - started_;
-  if (std::isnan(first_)) {  // which holds the search for a settled start too; and a run that is resumed begins at some other time
+  // which holds the search for a settled start too; and a run that is resumed begins at some other time
+  if (std::isnan(first_)) {
     first_ = running;
     first_time_ = simulation.model.time;
   }
   // The first line comes when the run has proved not to be a short one.
-  const double due = last_ > 0   ? last_ + (terminal_ ? terminal_every : plain_every)
-                     : terminal_ ? quiet
-                                 : plain_every;
+  const double due = last_ > 0 ? last_ + (terminal_ ? terminal_every : plain_every) : terminal_ ? quiet : plain_every;
   if (running < due) return;
   last_ = running;
   const double t_end = simulation.model.scene.time.t_end, come = simulation.model.time - first_time_;
@@ -95,11 +100,13 @@ void Progress::done(const Simulation& simulation, bool ended) {
   for (const RunTotals::Part& part : simulation.totals.parts) cpu += part.seconds;
   const RunTotals& totals = simulation.totals;
   if (totals.inaccurate > 0)
-    std::cerr << "note: the error of " << totals.inaccurate << " of " << totals.steps
-              << " steps was beyond time.tolerance at the least step there is: something jumps or rings in them, which shorter ones do not cure; order = \"rigid\", a fixed "
-                 "time.dt or a larger dt_min leave out the ringing of blocks\n";
+    std::cerr
+        << "note: the error of " << totals.inaccurate << " of " << totals.steps
+        << " steps was beyond time.tolerance at the least step there is: something jumps or rings in them, which shorter ones do not cure; order = \"rigid\", a fixed "
+           "time.dt or a larger dt_min leave out the ringing of blocks\n";
   tell_energies(simulation);
-  std::cerr << done_line(ended ? std::numeric_limits<double>::quiet_NaN() : simulation.model.time, totals.steps, static_cast<long>(simulation.model.shapes.size()), cpu, simulation.model.scene.output.dir)
+  std::cerr << done_line(ended ? std::numeric_limits<double>::quiet_NaN() : simulation.model.time, totals.steps,
+                         static_cast<long>(simulation.model.shapes.size()), cpu, simulation.model.scene.output.dir)
             << std::endl;
 }
 

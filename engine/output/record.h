@@ -10,8 +10,8 @@ namespace talus {
 
 class Record {
  public:
-  using Row =
-      std::function<std::vector<double>()>;  // the numbers now, always as many; asked for when their turn has come
+  // the numbers now, always as many; asked for when their turn has come
+  using Row = std::function<std::vector<double>()>;
   void after_step(long step, double time, const Row& row);
   void last(long step, double time, const Row& row);  // the state now, whether its turn has come or not
 

@@ -37,13 +37,18 @@ void add_totals(Json& json, const RunTotals& totals) {
   if (totals.failures > 0) json.whole("failed_bonds", totals.failures);
   if (totals.largest_utilisation > 0) json.number("largest_utilisation", totals.largest_utilisation);
   if (totals.inaccurate > 0) json.whole("inaccurate_steps", totals.inaccurate);
-  json.whole("sweeps", totals.sweeps).whole("splittings", totals.splittings).whole("pivots", totals.pivots).whole("factorisations", totals.factorisations).number("largest_residual", totals.largest_residual);
+  json.whole("sweeps", totals.sweeps)
+      .whole("splittings", totals.splittings)
+      .whole("pivots", totals.pivots)
+      .whole("factorisations", totals.factorisations)
+      .number("largest_residual", totals.largest_residual);
 }
 
 void add_energy(Json& json, const Simulation& simulation) {
   const Energies energies = simulation.energies();
   json.object("energy");
-  for (const EnergyTerm* term : energy_terms(simulation.plan, energies)) json.number(term->column, energies.*term->value);
+  for (const EnergyTerm* term : energy_terms(simulation.plan, energies))
+    json.number(term->column, energies.*term->value);
   json.number("scale", energies.scale);
   json.number("unexplained_ratio", energies.scale > 0 ? energies.unexplained / energies.scale : 0).end();
 }

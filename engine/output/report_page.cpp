@@ -15,10 +15,14 @@ namespace {
 
 constexpr const char* style = R"(
 body { max-width: 1100px; margin: 1.5em auto; padding: 0 1em; font: 14px/1.5 "DejaVu Sans", Verdana, Helvetica, Arial, sans-serif; color: #222; }
-h1 { font-size: 1.5em; margin-bottom: .1em; } h2 { font-size: 1.15em; margin-top: 1.6em; border-bottom: 1px solid #ccc; }
+h1 { font-size: 1.5em; margin-bottom: .1em; }
+h2 { font-size: 1.15em; margin-top: 1.6em; border-bottom: 1px solid #ccc; }
 table { border-collapse: collapse; } td, th { padding: 2px 14px 2px 0; text-align: left; vertical-align: top; }
-td.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; } .pass { color: #1a7f37; } .fail { color: #b30000; font-weight: bold; }
-img { max-width: 100%; } figure { margin: .4em 0; } .plots { display: grid; grid-template-columns: 1fr 1fr; gap: .4em 1em; } figcaption, .quiet { color: #555; } code { font-size: .95em; }
+td.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+.pass { color: #1a7f37; } .fail { color: #b30000; font-weight: bold; }
+img { max-width: 100%; } figure { margin: .4em 0; }
+.plots { display: grid; grid-template-columns: 1fr 1fr; gap: .4em 1em; }
+figcaption, .quiet { color: #555; } code { font-size: .95em; }
 .part { background: #0072b2; height: 11px; display: inline-block; }
 )";
 
@@ -45,11 +49,13 @@ std::string shown(double value, const std::string& unit, int digits = 4) {
 void add_checks(Page& page, const std::vector<CheckLine>& checks) {
   if (checks.empty()) return;
   const auto failed = std::count_if(checks.begin(), checks.end(), [](const CheckLine& check) { return !check.pass; });
-  page.head("Checks: " + std::to_string(long(checks.size()) - failed) + " passed, " + std::to_string(failed) + " failed");
+  page.head("Checks: " + std::to_string(long(checks.size()) - failed) + " passed, " + std::to_string(failed) +
+            " failed");
   page.begin_table();
   for (const CheckLine& check : checks)
-    page.raw("<tr><td class=\"" + std::string(check.pass ? "pass\">PASS" : "fail\">FAIL") + "</td><td>" + escape_xml(check.name) +
-             "</td><td class=\"n\">" + escape_xml(check.value) + "</td><td>expected " + escape_xml(check.expected) + "</td></tr>\n");
+    page.raw("<tr><td class=\"" + std::string(check.pass ? "pass\">PASS" : "fail\">FAIL") + "</td><td>" +
+             escape_xml(check.name) + "</td><td class=\"n\">" + escape_xml(check.value) + "</td><td>expected " +
+             escape_xml(check.expected) + "</td></tr>\n");
   page.end_table();
 }
 
@@ -62,10 +68,13 @@ void add_summary(Page& page, const Simulation& simulation, const RunAccount& acc
   page.row("joints", std::to_string(model.joints.size()));
   page.row("contacts at the end", std::to_string(model.contacts.size()));
   page.row("time reached", shown(model.time, "s"));
-  page.row("steps", std::to_string(totals.steps) + (totals.cuts > 0 ? ", " + std::to_string(totals.cuts) + " cut" : ""));
-  page.row("open–close iterations", std::to_string(totals.iterations) + ", at most " + std::to_string(totals.largest_iterations) + " a step");
+  page.row("steps",
+           std::to_string(totals.steps) + (totals.cuts > 0 ? ", " + std::to_string(totals.cuts) + " cut" : ""));
+  page.row("open–close iterations",
+           std::to_string(totals.iterations) + ", at most " + std::to_string(totals.largest_iterations) + " a step");
   if (totals.failures > 0) page.row("bonds failed", std::to_string(totals.failures));
-  if (totals.largest_utilisation > 0) page.row("highest utilisation of a bond when it was judged", significant(totals.largest_utilisation, 3));
+  if (totals.largest_utilisation > 0)
+    page.row("highest utilisation of a bond when it was judged", significant(totals.largest_utilisation, 3));
   page.row("largest residual", significant(totals.largest_residual, 3));
   page.row("CPU time", shown(account.cpu_seconds, "s", 3) + " in " + shown(account.wall_seconds, "s", 3));
   page.end_table();
@@ -86,7 +95,8 @@ void add_pictures(Page& page, const std::vector<ReportPicture>& pictures) {
   for (std::size_t k = 0; k < pictures.size(); ++k) {
     const ReportPicture& picture = pictures[k];
     if (k == 1) page.raw("<div class=\"plots\">\n");  // the first is the scene
-    page.raw("<figure><img alt=\"" + escape_xml(picture.caption) + "\" src=\"data:image/svg+xml;base64," + base64(picture.svg) + "\">");
+    page.raw("<figure><img alt=\"" + escape_xml(picture.caption) + "\" src=\"data:image/svg+xml;base64," +
+             base64(picture.svg) + "\">");
     if (!picture.caption.empty()) page.raw("<figcaption>" + escape_xml(picture.caption) + "</figcaption>");
     page.raw("</figure>\n");
   }
@@ -100,8 +110,9 @@ void add_ledger(Page& page, const Simulation& simulation) {
   page.raw("<table>\n<tr><th>term</th><th></th><th>J/m</th><th>% of the energy at hand</th></tr>\n");
   for (const EnergyTerm* term : energy_terms(simulation.plan, energies)) {
     const double value = energies.*term->value;
-    page.raw("<tr><td title=\"" + escape_xml(term->meaning) + "\">" + escape_xml(term->label) + "</td><td class=\"quiet\">" +
-             kinds[term->kind] + "</td><td class=\"n\">" + escape_xml(significant(value, 5)) + "</td><td class=\"n\">" +
+    page.raw("<tr><td title=\"" + escape_xml(term->meaning) + "\">" + escape_xml(term->label) +
+             "</td><td class=\"quiet\">" + kinds[term->kind] + "</td><td class=\"n\">" +
+             escape_xml(significant(value, 5)) + "</td><td class=\"n\">" +
              (energies.scale > 0 ? fixed(100 * value / energies.scale, 2) : "") + "</td></tr>\n");
   }
   page.end_table();
@@ -135,17 +146,21 @@ void add_plan(Page& page, const Plan& plan) {
 void add_origin(Page& page, const Simulation& simulation, const RunAccount& account) {
   const Versions known = versions();
   page.head("Where it comes from");
-  page.raw("<table>\n<tr><td>scene</td><td><code>" + escape_xml(simulation.model.scene.file) + "</code></td></tr>\n<tr><td>command</td><td><code>" +
-           escape_xml(account.command_line) + "</code></td></tr>\n<tr><td>program</td><td>talus " + escape_xml(known.talus + " (" + known.commit) +
+  page.raw("<table>\n<tr><td>scene</td><td><code>" + escape_xml(simulation.model.scene.file) +
+           "</code></td></tr>\n<tr><td>command</td><td><code>" + escape_xml(account.command_line) +
+           "</code></td></tr>\n<tr><td>program</td><td>talus " + escape_xml(known.talus + " (" + known.commit) +
            ")</td></tr>\n<tr><td>state hash</td><td><code>" + hex(simulation.hash()) + "</code></td></tr>\n");
   for (const RunAccount::Restore& one : account.restores)
-    page.raw("<tr><td>restored</td><td>from " + escape_xml(one.from) + " at step " + std::to_string(one.step) + "</td></tr>\n");
-  page.raw("</table>\n<p class=\"quiet\">All numbers are in run.json beside this page, the table in history.csv.</p>\n");
+    page.raw("<tr><td>restored</td><td>from " + escape_xml(one.from) + " at step " + std::to_string(one.step) +
+             "</td></tr>\n");
+  page.raw(
+      "</table>\n<p class=\"quiet\">All numbers are in run.json beside this page, the table in history.csv.</p>\n");
 }
 
 }  // namespace
 
-std::string report_page(const Simulation& simulation, const RunAccount& account, const std::vector<ReportPicture>& pictures) {
+std::string report_page(const Simulation& simulation, const RunAccount& account,
+                        const std::vector<ReportPicture>& pictures) {
   const Scene& scene = simulation.model.scene;
   const std::string title = escape_xml(scene.title.empty() ? scene.file : scene.title);
   const bool good = account.outcome == "finished";
@@ -158,9 +173,9 @@ std::string report_page(const Simulation& simulation, const RunAccount& account,
   add_seconds(page, simulation.totals, account.cpu_seconds);
   add_plan(page, simulation.plan);
   add_origin(page, simulation, account);
-  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title + "</title><style>" + style +
-         "</style></head><body>\n<h1>" + title + "</h1>\n<p class=\"" + (good ? "quiet" : "fail") + "\">" + escape_xml(account.outcome) +
-         "</p>\n" + page.body() + "</body></html>\n";
+  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title + "</title><style>" +
+         style + "</style></head><body>\n<h1>" + title + "</h1>\n<p class=\"" + (good ? "quiet" : "fail") + "\">" +
+         escape_xml(account.outcome) + "</p>\n" + page.body() + "</body></html>\n";
 }
 
 }  // namespace talus

@@ -36,7 +36,8 @@ void add_names(std::vector<std::string>& names, const ResultFrame& frame) {
     if (frame.cell(one.array)) names.emplace_back(one.name);
 }
 
-[[noreturn]] void refuse(const ResultsFolder& run, std::size_t frame, const ResultFrame& blocks, const std::string& name) {
+[[noreturn]] void refuse(const ResultsFolder& run, std::size_t frame, const ResultFrame& blocks,
+                         const std::string& name) {
   std::vector<std::string> known = {"none"};
   add_names(known, blocks);
   for (const char* series : {"cracks", "joints"})
@@ -116,7 +117,8 @@ std::optional<std::vector<double>> values_of(const ResultFrame& frame, const std
   return std::nullopt;
 }
 
-ResultField result_field(const ResultsFolder& run, std::size_t frame, const ResultFrame& blocks, const std::string& name) {
+ResultField result_field(const ResultsFolder& run, std::size_t frame, const ResultFrame& blocks,
+                         const std::string& name) {
   ResultField out;
   if (name == "none") {
     out.picture.of_lines = out.picture.categories = true;  // pale blocks, no bar
@@ -134,7 +136,8 @@ ResultField result_field(const ResultsFolder& run, std::size_t frame, const Resu
     if (!values) continue;
     describe(out.picture, find_field(joint_fields(), name), name);
     if (name == "gas") out.picture.meaning = "part of each crack that the gas has entered";
-    if (name == "gas_pressure") out.picture.meaning = "pressure of the gas in each crack", out.picture.unit = "Pa", out.picture.symbol = "P";
+    if (name == "gas_pressure")
+      out.picture.meaning = "pressure of the gas in each crack", out.picture.unit = "Pa", out.picture.symbol = "P";
     out.picture.of_lines = true;
     out.picture.values = out.picture.coloured = std::move(*values);
     if (out.picture.coloured.empty()) out.picture.coloured = {0};

@@ -11,7 +11,8 @@ struct ResultField {
 };
 
 // Throws InputError with the nearest name.
-ResultField result_field(const ResultsFolder& run, std::size_t frame, const ResultFrame& blocks, const std::string& name);
+ResultField result_field(const ResultsFolder& run, std::size_t frame, const ResultFrame& blocks,
+                         const std::string& name);
 
 // Scalars made of the components of arrays of vectors: "ux", "speed", …
 std::optional<std::vector<double>> values_of(const ResultFrame& frame, const std::string& name);

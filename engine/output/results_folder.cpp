@@ -91,8 +91,10 @@ ResultsFolder::ResultsFolder(std::string dir) : dir_(std::move(dir)) {
   joints_ = read_pvd(dir_ + "/joints.pvd");
   cracks_ = read_pvd(dir_ + "/cracks.pvd");
   if (blocks_.empty())
-    throw RunError(dir_ + ": expected blocks.pvd with a frame or more, got none: is it the output.dir of a run, with output.vtk not"
-                   " false?");
+    throw RunError(
+        dir_ +
+        ": expected blocks.pvd with a frame or more, got none: is it the output.dir of a run, with output.vtk not"
+        " false?");
   title_ = title_in(dir_ + "/run.json");
   if (title_.empty()) title_ = fs::absolute(dir_).lexically_normal().filename().string();
 }

@@ -13,12 +13,16 @@ namespace talus {
 namespace {
 
 constexpr std::string_view magic = "talus saved state\n";
-constexpr std::uint64_t format = 21;  // 2: the generator of random numbers too; 3: checksum by eights; 4: charges of the scene; 5: where blocks are weighed;
-                                      // 6: gas fronts by their holes; 8: what was unexplained before the script changed something; 9: bonds judged where an attempt led; 10: steps in
-                                      // motion and load steps apart; 11: how held blocks get faster; 12: the largest strain; 13: loads within a jump;
-                                      // 14: what contacts climb; 15: what they were pressed by as a load step began; 16: what a script has changed since; 17: what contacts slid by in the last step; 18: no block is weighed apart; 19: what smooth contacts climbed in a load step; 20: second-order blocks whose edges bend; 21: joints on several sides
+// 2: the generator of random numbers too; 3: checksum by eights; 4: charges of the scene; 5: where blocks are weighed;
+// 6: gas fronts by their holes; 8: what was unexplained before the script changed something; 9: bonds judged where an
+// attempt led; 10: steps in motion and load steps apart; 11: how held blocks get faster; 12: the largest strain; 13:
+// loads within a jump; 14: what contacts climb; 15: what they were pressed by as a load step began; 16: what a script
+// has changed since; 17: what contacts slid by in the last step; 18: no block is weighed apart; 19: what smooth
+// contacts climbed in a load step; 20: second-order blocks whose edges bend; 21: joints on several sides
+constexpr std::uint64_t format = 21;
 
-// FNV-1a by eight bytes at a time, an eighth of the time: each step is a bijection, so that no single change goes unseen.
+// FNV-1a by eight bytes at a time, an eighth of the time: each step is a bijection, so that no single change goes
+// unseen.
 std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t sum = 14695981039346656037u;
   ByteReader eights(bytes.substr(0, bytes.size() / 8 * 8));
@@ -56,8 +60,7 @@ void write_state(const std::string& path, const SavedRun& saved) {
   append(body, saved.scene.geometry);
   append(body, saved.scene.values);
   append(body, saved.scene.charges);
-  for (const std::string* part : {&saved.engine, &saved.output, &saved.script})
-    append(body, std::string_view(*part));
+  for (const std::string* part : {&saved.engine, &saved.output, &saved.script}) append(body, std::string_view(*part));
   std::string bytes;
   bytes.reserve(body.size() + 64);
   bytes += magic;
@@ -79,8 +82,7 @@ SavedRun read_state(const std::string& path) {
   if (!bytes.starts_with(magic)) throw StateError("is no saved state of Talus");
   ByteReader outer(std::string_view(bytes).substr(magic.size()));
   if (const std::uint64_t given = outer.whole(); given != format)
-    throw StateError("is of format " + std::to_string(given) + "; this Talus reads format " +
-                     std::to_string(format));
+    throw StateError("is of format " + std::to_string(given) + "; this Talus reads format " + std::to_string(format));
   const std::string body = outer.text();
   const std::uint64_t sum = outer.whole();
   if (!outer.done() || sum != checksum(std::string_view(bytes).substr(0, bytes.size() - 8)))

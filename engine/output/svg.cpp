@@ -72,8 +72,8 @@ void Svg::polyline(std::span<const Vec2> points, bool closed, std::string_view a
 }
 
 void Svg::rectangle(const Vec2& corner, const Vec2& size, std::string_view attributes) {
-  body_ += "<rect x=\"" + px(corner.x()) + "\" y=\"" + px(corner.y()) + "\" width=\"" + px(size.x()) +
-           "\" height=\"" + px(size.y()) + "\" " + std::string(attributes) + "/>\n";
+  body_ += "<rect x=\"" + px(corner.x()) + "\" y=\"" + px(corner.y()) + "\" width=\"" + px(size.x()) + "\" height=\"" +
+           px(size.y()) + "\" " + std::string(attributes) + "/>\n";
 }
 
 void Svg::circle(const Vec2& centre, double radius, std::string_view attributes) {
@@ -83,8 +83,8 @@ void Svg::circle(const Vec2& centre, double radius, std::string_view attributes)
 
 std::string Svg::file(double width, double height) const {
   const std::string w = px(std::ceil(width)), h = px(std::ceil(height));
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w +
-         " " + h + "\" font-family=\"" + std::string(font) + "\" fill=\"" + std::string(TextStyle{}.colour) +
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " +
+         h + "\" font-family=\"" + std::string(font) + "\" fill=\"" + std::string(TextStyle{}.colour) +
          "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + body_ + "</svg>\n";
 }
 

@@ -13,7 +13,8 @@ namespace talus {
 namespace {
 
 constexpr std::array left_out = {"id", "block_a", "block_b", "kind", "strain", "s1_direction"};
-constexpr std::array of_cracks = {"mode", "failed_at", "gas", "gas_pressure"};  // the others are of joints.pvd as well, or constant
+// the others are of joints.pvd as well, or constant
+constexpr std::array of_cracks = {"mode", "failed_at", "gas", "gas_pressure"};
 
 class Collector {
  public:
@@ -102,7 +103,8 @@ void Collector::find_joints(const ResultFrame& blocks, const ResultFrame& lines)
   for (std::size_t j = 0; j < lines.size() && kind->at(j) == 0; ++j) {  // contacts come after the joints
     const int sides[] = {int(a->at(j)) - 1, int(b->at(j)) - 1};
     for (const int side : sides) {
-      if (side < 0 || std::size_t(side) >= blocks.size()) throw RunError(run_.dir() + ": a joint is of a block that there is not");
+      if (side < 0 || std::size_t(side) >= blocks.size())
+        throw RunError(run_.dir() + ": a joint is of a block that there is not");
       data_.joint_blocks.push_back(side);
     }
     for (const int k : {0, 1})
@@ -115,7 +117,8 @@ void Collector::find_joints(const ResultFrame& blocks, const ResultFrame& lines)
 }
 
 void Collector::add_joints(const ResultFrame& lines) {
-  if (lines.size() < data_.joints()) throw RunError(run_.dir() + ": the frames are not of one run: their joints differ");
+  if (lines.size() < data_.joints())
+    throw RunError(run_.dir() + ": the frames are not of one run: their joints differ");
   for (const ResultArray& each : lines.cells) {
     if (std::find(left_out.begin(), left_out.end(), each.name) == left_out.end()) known_.push_back(each.name);
     if (wanted(each.name)) take(each, "joints", data_.joints());
@@ -136,7 +139,8 @@ void Collector::add_cracks(const ResultFrame& cracks) {
     to.values.resize(first + data_.joints(), 0);
     for (std::size_t i = 0; i < cracks.size(); ++i) {
       const auto joint = static_cast<std::size_t>(id->at(i)) - 1;
-      if (joint < data_.joints()) to.values[first + joint] = static_cast<float>(is_mode && from->at(i) == 0 ? 3 : from->at(i));
+      if (joint < data_.joints())
+        to.values[first + joint] = static_cast<float>(is_mode && from->at(i) == 0 ? 3 : from->at(i));
     }
   }
 }
@@ -161,7 +165,9 @@ ViewData Collector::collect(const std::vector<std::size_t>& frames) {
     if (lines && data_.joints() > 0) add_joints(*lines);
     if (cracks && data_.joints() > 0) add_cracks(*cracks);
     data_.times.push_back(run_.times()[frame].first);
-    if (first) std::sort(known_.begin(), known_.end()), known_.erase(std::unique(known_.begin(), known_.end()), known_.end()), check_fields();
+    if (first)
+      std::sort(known_.begin(), known_.end()), known_.erase(std::unique(known_.begin(), known_.end()), known_.end()),
+          check_fields();
   }
   if (data_.times.empty()) throw RunError(run_.dir() + ": expected a frame or more, got none that is whole");
   return std::move(data_);
@@ -169,7 +175,8 @@ ViewData Collector::collect(const std::vector<std::size_t>& frames) {
 
 }  // namespace
 
-ViewData view_data(const ResultsFolder& run, const std::vector<std::size_t>& frames, const std::vector<std::string>& fields) {
+ViewData view_data(const ResultsFolder& run, const std::vector<std::size_t>& frames,
+                   const std::vector<std::string>& fields) {
   return Collector(run, fields).collect(frames);
 }
 

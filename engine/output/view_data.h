@@ -20,7 +20,8 @@ struct ViewData {
   std::vector<double> times;   // s
   std::vector<int> begin;      // of the blocks' corners
   std::vector<float> start;    // x, y of each corner before it moved
-  // End k of joint j lies on an edge of each of its two blocks: at `along` of the way from corner `edge` to the next of that block.
+  // End k of joint j lies on an edge of each of its two blocks: at `along` of the way from corner `edge` to the next of
+  // that block.
   std::vector<int> joint_blocks, edge;  // two a joint; four a joint: end 0 on a, on b, end 1 on a, on b
   std::vector<float> along;
   std::vector<ViewArray> arrays;
@@ -28,6 +29,7 @@ struct ViewData {
   std::size_t joints() const { return joint_blocks.size() / 2; }
 };
 
-ViewData view_data(const ResultsFolder& run, const std::vector<std::size_t>& frames, const std::vector<std::string>& fields);
+ViewData view_data(const ResultsFolder& run, const std::vector<std::size_t>& frames,
+                   const std::vector<std::string>& fields);
 
 }  // namespace talus

@@ -1,6 +1,6 @@
 #pragma once
-// Numbers as text in a page: float32 or int32, their bytes sorted by weight, zlib, base64. The script that takes them back is
-// view/data.js.
+// Numbers as text in a page: float32 or int32, their bytes sorted by weight, zlib, base64. The script that takes them
+// back is view/data.js.
 #include <string>
 #include <vector>
 

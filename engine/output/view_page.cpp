@@ -22,7 +22,8 @@ struct Meaning {
 Meaning meaning_of(const ViewArray& array) {
   if (array.name == "gas") return {"gas", "", "part of each crack that the gas has entered"};
   if (array.name == "gas_pressure") return {"P", "Pa", "pressure of the gas in each crack"};
-  if (array.name == "mode" && array.of == "joints") return {"", "", "0 intact, failed in 1 tension, 2 shear, 3 a real joint"};
+  if (array.name == "mode" && array.of == "joints")
+    return {"", "", "0 intact, failed in 1 tension, 2 shear, 3 a real joint"};
   if (array.name == "state" && array.of == "joints") return {"", "", "0 intact, 1 failed"};
   const Field* field = find_field(array.of == "joints" ? joint_fields() : block_fields(), array.name);
   if (!field) return {"", "", array.name};
@@ -94,7 +95,8 @@ void add_history(Json& json, Pages& pages, const ResultsFolder& run) {
 void add_colours(Json& json) {
   constexpr int levels = 64;
   json.object("colours");
-  for (const auto& [name, map] : {std::pair{"sequential", ColourMap::sequential}, {"diverging", ColourMap::diverging},
+  for (const auto& [name, map] : {std::pair{"sequential", ColourMap::sequential},
+                                  {"diverging", ColourMap::diverging},
                                   {"categories", ColourMap::categories}}) {
     json.array(name);
     for (int k = 0; k < levels; ++k) json.text(colour(map, (k + 0.5) / levels));
@@ -132,8 +134,11 @@ std::string view_page(const ResultsFolder& run, const ViewOptions& options) {
   json.whole("corners", data.begin.back()).whole("joints", static_cast<long>(data.joints()));
   json.number("centre_x", data.centre.x()).number("centre_y", data.centre.y()).array("times");
   for (const double time : data.times) json.number("", time);
-  json.end().whole("begin", pages.add(packed_whole(data.begin))).whole("start", pages.add(packed_floats(data.start, 4)));
-  json.whole("joint_blocks", pages.add(packed_whole(data.joint_blocks))).whole("edge", pages.add(packed_whole(data.edge)));
+  json.end()
+      .whole("begin", pages.add(packed_whole(data.begin)))
+      .whole("start", pages.add(packed_floats(data.start, 4)));
+  json.whole("joint_blocks", pages.add(packed_whole(data.joint_blocks)))
+      .whole("edge", pages.add(packed_whole(data.edge)));
   json.whole("along", pages.add(packed_floats(data.along, 4))).array("arrays");
   for (ViewArray& array : data.arrays) add_array(json, pages, array, data.times.size());
   json.end();

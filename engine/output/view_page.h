@@ -1,5 +1,6 @@
 #pragma once
-// A finished run as one page that needs nothing else: time slider, fields, picking, histories. What the page does is in view/*.js.
+// A finished run as one page that needs nothing else: time slider, fields, picking, histories. What the page does is in
+// view/*.js.
 #include <string>
 #include <vector>
 

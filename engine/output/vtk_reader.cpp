@@ -45,11 +45,13 @@ std::vector<ResultArray> all_of(vtkFieldData* data) {
 }
 
 void take_field_data(ResultFrame& frame, vtkFieldData* data) {
-  if (vtkDataArray* time = data->GetArray("TimeValue"); time && time->GetNumberOfValues() > 0) frame.time = time->GetTuple1(0);
+  if (vtkDataArray* time = data->GetArray("TimeValue"); time && time->GetNumberOfValues() > 0)
+    frame.time = time->GetTuple1(0);
   for (int k = 0; k < data->GetNumberOfArrays(); ++k) {
     auto* names = vtkStringArray::SafeDownCast(data->GetAbstractArray(k));
     if (!names || !names->GetName()) continue;
-    for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i) frame.names[names->GetName()].push_back(names->GetValue(i));
+    for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+      frame.names[names->GetName()].push_back(names->GetValue(i));
   }
 }
 
@@ -93,7 +95,7 @@ ResultFrame read_vtp(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) refuse("there is no such file");
   if (!ends_whole(path)) refuse("it is cut short, or no .vtp file");  // VTK takes some of those for empty ones
-  vtkObject::GlobalWarningDisplayOff();  // it is said below, once
+  vtkObject::GlobalWarningDisplayOff();                               // it is said below, once
   vtkNew<vtkXMLPolyDataReader> reader;
   if (!reader->CanReadFile(path.c_str())) refuse("expected a .vtp file, got something else");
   reader->SetFileName(path.c_str());
@@ -111,7 +113,8 @@ ResultFrame read_vtp(const std::string& path) {
   take_field_data(frame, data->GetFieldData());
   for (const ResultArray& array : frame.cells)
     if (array.values.size() != frame.size() * static_cast<std::size_t>(array.components))
-      refuse("array \"" + array.name + "\" has not one value for each of its " + std::to_string(frame.size()) + " cells");
+      refuse("array \"" + array.name + "\" has not one value for each of its " + std::to_string(frame.size()) +
+             " cells");
   for (const ResultArray& array : frame.of_points)
     if (array.values.size() != frame.points.size() * static_cast<std::size_t>(array.components))
       refuse("array \"" + array.name + "\" has not one value for each of its points");

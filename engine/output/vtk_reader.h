@@ -13,7 +13,9 @@ struct ResultArray {
   int components = 1;  // 1 or 3
   bool whole = false;
   std::vector<double> values;  // item after item
-  double at(std::size_t item, int component = 0) const { return values[item * std::size_t(components) + std::size_t(component)]; }
+  double at(std::size_t item, int component = 0) const {
+    return values[item * std::size_t(components) + std::size_t(component)];
+  }
 };
 
 struct ResultFrame {

@@ -26,9 +26,9 @@ namespace talus {
 namespace {
 
 // Beside `id`, which counts from 1 as in Lua.
-constexpr std::array block_arrays = {"region", "material", "order", "fixed", "fragment", "displacement", "velocity",
-                                     "rotation", "spin",   "strain", "sxx",  "syy",          "sxy",
-                                     "szz",    "s1",       "s2",    "s1_direction", "mises"};
+constexpr std::array block_arrays = {"region",   "material", "order", "fixed",  "fragment",     "displacement",
+                                     "velocity", "rotation", "spin",  "strain", "sxx",          "syy",
+                                     "sxy",      "szz",      "s1",    "s2",     "s1_direction", "mises"};
 
 constexpr std::array crack_arrays = {"failed_at", "utilisation", "opening", "slip", "cohesion", "tension", "friction"};
 
@@ -272,9 +272,10 @@ void write_joints_vtp(const std::string& path, const Model& model) {
   add_member<vtkDoubleArray>(data, "slip", lines, &Line::slip);
   add_member<vtkDoubleArray>(data, "utilisation", lines, &Line::utilisation);
   if (model.scene.output.error)
-    add_array<vtkDoubleArray>(data->GetCellData(), "traction_jump", 1, static_cast<vtkIdType>(lines.size()), [&](int i, double* out) {
-      *out = lines[i].kind == 0 ? value_of(context, joint_fields(), "traction_jump", lines[i].id - 1) : 0;
-    });
+    add_array<vtkDoubleArray>(
+        data->GetCellData(), "traction_jump", 1, static_cast<vtkIdType>(lines.size()), [&](int i, double* out) {
+          *out = lines[i].kind == 0 ? value_of(context, joint_fields(), "traction_jump", lines[i].id - 1) : 0;
+        });
   add_names(data->GetFieldData(), "kind_names", line_kinds);
   add_names(data->GetFieldData(), "state_names", line_states);
   add_names(data->GetFieldData(), "property_names", names_of(model.scene.properties));
@@ -314,7 +315,8 @@ void write_cracks_vtp(const std::string& path, const Model& model, const Gas* ga
     const Joint& joint = model.joints[id];
     lines->InsertNextCell(2);
     for (const int end : {0, 1}) {
-      const Vec2 at = (model.place(joint.a, joint.in_a[end]) + model.place(joint.b, joint.in_b[end])) / 2 + model.origin;
+      const Vec2 at =
+          (model.place(joint.a, joint.in_a[end]) + model.place(joint.b, joint.in_b[end])) / 2 + model.origin;
       lines->InsertCellPoint(points->InsertNextPoint(at.x(), at.y(), 0));
     }
   }
@@ -336,7 +338,8 @@ void write_cracks_vtp(const std::string& path, const Model& model, const Gas* ga
   if (gas) {
     const std::vector<GasInJoint> in = gas_in_joints(model, *gas);
     add_array<vtkDoubleArray>(cells, "gas", 1, count, [&](int i, double* out) { *out = in[failed[i]].part; });
-    add_array<vtkDoubleArray>(cells, "gas_pressure", 1, count, [&](int i, double* out) { *out = in[failed[i]].pressure; });
+    add_array<vtkDoubleArray>(cells, "gas_pressure", 1, count,
+                              [&](int i, double* out) { *out = in[failed[i]].pressure; });
   }
   add_names(data->GetFieldData(), "mode_names", {"real joint", "tension", "shear"});
   add_names(data->GetFieldData(), "crack_names", {"real joint", "initiated", "propagated", "coalesced"});

@@ -18,8 +18,8 @@ void write_blocks_vtp(const std::string& path, const FieldContext& context, cons
 // vertex to the edge would be too short to see as soon as they touch.
 void write_joints_vtp(const std::string& path, const Model& model);
 
-// Failed and real joints as lines between where their ends are now; where there is gas also how far it has come in each, and its
-// pressure there.
+// Failed and real joints as lines between where their ends are now; where there is gas also how far it has come in
+// each, and its pressure there.
 void write_cracks_vtp(const std::string& path, const Model& model, const Gas* gas = nullptr);
 
 std::string vtk_version();

@@ -60,8 +60,7 @@ void shift(Scene& scene, const Vec2& origin) {
       if (set.through) *set.through -= origin;
     if (region.mesh.size_at)
       region.mesh.size_at = [inner = region.mesh.size_at, origin](Vec2 p) { return inner(p + origin); };
-    if (region.order_at)
-      region.order_at = [inner = region.order_at, origin](Vec2 p) { return inner(p + origin); };
+    if (region.order_at) region.order_at = [inner = region.order_at, origin](Vec2 p) { return inner(p + origin); };
   }
   const auto move_on = [&origin](On& on) {
     on.from -= origin;
@@ -119,18 +118,21 @@ void scatter_strengths(Model& model) {
   }
 }
 
-// A joint with cohesion that is no joint anywhere: a pile of rock is not glued, but an interface between regions may have been meant.
+// A joint with cohesion that is no joint anywhere: a pile of rock is not glued, but an interface between regions may
+// have been meant.
 void note_cohesion(Model& model) {
   const Scene& scene = model.scene;
   std::set<int> of_contacts{scene.contact}, of_joints;
   for (const ContactRule& rule : scene.contact_rules) of_contacts.insert(rule.property);
   for (const Region& region : scene.regions)
-    if (region.outlines.size() > 1 && region.mesh.kind == MeshKind::none && region.joint >= 0) of_contacts.insert(region.joint);
+    if (region.outlines.size() > 1 && region.mesh.kind == MeshKind::none && region.joint >= 0)
+      of_contacts.insert(region.joint);
   for (const Joint& joint : model.joints) of_joints.insert(joint.property);
   for (const int p : of_contacts)
     if (p >= 0 && scene.properties[size_t(p)].breaks && !of_joints.contains(p))
-      model.notes.push_back("joint \"" + scene.properties[size_t(p)].name +
-                            "\": contacts between blocks carry its friction alone; cohesion and tension are those of bonds and traces");
+      model.notes.push_back(
+          "joint \"" + scene.properties[size_t(p)].name +
+          "\": contacts between blocks carry its friction alone; cohesion and tension are those of bonds and traces");
 }
 
 // A block that does not strain has no stress to press what is beside it with.
@@ -139,7 +141,8 @@ void note_rigid_stress(Model& model) {
   for (const BlockShape& shape : model.shapes) rigid[size_t(shape.region)] += shape.dofs == rigid_dofs;
   for (size_t r = 0; r < rigid.size(); ++r)
     if (const Region& region = model.scene.regions[r]; region.stress && rigid[r] > 0)
-      model.notes.push_back("region \"" + region.name + "\": " + std::to_string(rigid[r]) + (rigid[r] == 1 ? " rigid block has" : " rigid blocks have") +
+      model.notes.push_back("region \"" + region.name + "\": " + std::to_string(rigid[r]) +
+                            (rigid[r] == 1 ? " rigid block has" : " rigid blocks have") +
                             " no stress: its stress is that of blocks of order 1 and 2");
 }
 
@@ -150,8 +153,10 @@ void note_functions(Model& model) {
   if (time.mode != Mode::dynamic || time.dt > 0 || time.dt_max > 0 || time.tolerance > 0) return;
   const auto note = [&](const std::string& what, const std::array<History, 2>& of) {
     if (of[0].is_function() || of[1].is_function())
-      model.notes.push_back(what + ": a function of time, which automatic steps may pass over between the times they stop at; bound them by "
-                            "time.dt_max, or give a table, at whose rows they stop");
+      model.notes.push_back(
+          what +
+          ": a function of time, which automatic steps may pass over between the times they stop at; bound them by "
+          "time.dt_max, or give a table, at whose rows they stop");
   };
   for (const PointLoad& load : scene.point_loads) note("load \"" + load.name + "\"", load.force);
   for (const EdgeLoad& load : scene.edge_loads) note("load \"" + load.name + "\"", load.traction);
@@ -169,7 +174,8 @@ Model build(Scene scene) {
   doubt_units(scene, model.notes);
   const Polyline points = outline_points(scene);
   const Bounds box = bounds(points);
-  if (box.centre().norm() > 10 * (box.max - box.min).norm()) model.origin = box.centre();  // else the user's own coordinates
+  // else the user's own coordinates
+  if (box.centre().norm() > 10 * (box.max - box.min).norm()) model.origin = box.centre();
   model.extent = half_height(points, scene.gravity);
   shift(scene, model.origin);
   model.scene = std::move(scene);

@@ -62,7 +62,9 @@ class Finder {
   }
 
   bool meet(const Vec2& a, const Vec2& b) const { return (a - b).norm() <= tolerance_; }
-  bool meet(const Part& part, const Vec2& point) const { return distance_to_boundary({part.from, part.to}, point) <= tolerance_; }
+  bool meet(const Part& part, const Vec2& point) const {
+    return distance_to_boundary({part.from, part.to}, point) <= tolerance_;
+  }
 
   // Whether two parts are of one edge and share more than a point.
   bool share(const Part& a, const Part& b) const {
@@ -91,7 +93,8 @@ std::string edge_text(const Model& model, const Finder::Part& part) {
 }
 
 std::string line_text(const Model& model, const On& on) {
-  return "a free edge of region on the line " + at_text(on.from + model.origin) + " to " + at_text(on.to + model.origin);
+  return "a free edge of region on the line " + at_text(on.from + model.origin) + " to " +
+         at_text(on.to + model.origin);
 }
 
 void attach_fixity_points(Model& model, int fixity, const std::vector<int>& blocks, const Vec2& point) {
@@ -133,7 +136,8 @@ std::string contradiction(const Fixity& a, const Fixity& b, double end) {
     if (!a.held[size_t(way)] || !b.held[size_t(way)]) continue;
     for (int k = 1; k <= looks; ++k) {
       const double of_a = a.moved(end * k / looks)[way], of_b = b.moved(end * k / looks)[way];
-      if (std::abs(of_a - of_b) > rounding * (std::abs(of_a) + std::abs(of_b))) return std::string("holds or moves ") + "xy"[way] + " otherwise";
+      if (std::abs(of_a - of_b) > rounding * (std::abs(of_a) + std::abs(of_b)))
+        return std::string("holds or moves ") + "xy"[way] + " otherwise";
     }
   }
   return a.spin != b.spin ? "turns it otherwise" : "";
@@ -142,12 +146,15 @@ std::string contradiction(const Fixity& a, const Fixity& b, double end) {
 // Where both hold the same; empty: nowhere. Edges that meet in a corner do not.
 std::string common_place(const Model& model, const Fixity& a, const Fixity& b, const Finder& finder) {
   if (a.region != b.region) return {};
-  if (a.on.kind == On::region || b.on.kind == On::region) return "region \"" + model.scene.regions[a.region].name + "\"";
-  if (a.on.kind == On::point && b.on.kind == On::point) return finder.meet(a.on.from, b.on.from) ? at_text(a.on.from + model.origin) : "";
+  if (a.on.kind == On::region || b.on.kind == On::region)
+    return "region \"" + model.scene.regions[a.region].name + "\"";
+  if (a.on.kind == On::point && b.on.kind == On::point)
+    return finder.meet(a.on.from, b.on.from) ? at_text(a.on.from + model.origin) : "";
   const Fixity &edge = a.on.kind == On::point ? b : a, &other = a.on.kind == On::point ? a : b;
   const auto parts = finder.edges_on(edge.on, edge.region);
   if (other.on.kind == On::point) {
-    const bool meet = std::any_of(parts.begin(), parts.end(), [&](const Finder::Part& part) { return finder.meet(part, other.on.from); });
+    const bool meet = std::any_of(parts.begin(), parts.end(),
+                                  [&](const Finder::Part& part) { return finder.meet(part, other.on.from); });
     return meet ? at_text(other.on.from + model.origin) : "";
   }
   const auto part = finder.shared(parts, finder.edges_on(other.on, other.region));
@@ -244,7 +251,8 @@ void attach_viscous(Model& model, int id, const Finder& finder) {
   const std::string name = model.scene.regions[boundary.region].name;
   const auto parts = finder.edges_on(boundary.on, boundary.region);
   if (parts.empty())
-    throw InputError(boundary.place, "viscous.on", line_text(model, boundary.on), "none of region \"" + name + "\" there");
+    throw InputError(boundary.place, "viscous.on", line_text(model, boundary.on),
+                     "none of region \"" + name + "\" there");
   if (model.shapes[parts[0].block].dofs == 0)
     throw InputError(boundary.place, "viscous.region", "a region that can move", "\"" + name + "\", which is held");
   check_alone(model, id, parts, finder);

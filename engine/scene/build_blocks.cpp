@@ -57,13 +57,15 @@ void check_cuts(const Region& region, const Cuts& cuts, const Tessellation& t, s
     const int set = cuts.set[face.trace];
     (set >= 0 ? sets[set] : traces[-1 - set]) = true;
   }
-  const std::string why = "outside, on the outline, on another joint or too near to it for blocks between, or ends inside a block";
+  const std::string why =
+      "outside, on the outline, on another joint or too near to it for blocks between, or ends inside a block";
   const std::string given = "one that cuts nothing off: it lies " + why + " (a mesh keeps such ends)";
   long drawn = 0, idle = 0;
   for (size_t k = 0; k < traces.size(); ++k) {
     drawn += region.traces[k].drawn;
     idle += region.traces[k].drawn && !traces[k];
-    if (!traces[k] && !region.traces[k].drawn) throw InputError(region.traces[k].place, "trace", "a joint that bounds blocks of its region", given);
+    if (!traces[k] && !region.traces[k].drawn)
+      throw InputError(region.traces[k].place, "trace", "a joint that bounds blocks of its region", given);
   }
   if (idle > 0)
     notes.push_back("region \"" + region.name + "\": " + std::to_string(idle) + " of " + std::to_string(drawn) +
@@ -158,13 +160,16 @@ int add_block(Model& model, int region_id, const Polyline& outline) {
 }
 
 // The number of the edge of a cell that starts at point `p`.
-size_t edge_from(const std::vector<int>& cell, int p) { return size_t(std::find(cell.begin(), cell.end(), p) - cell.begin()); }
+size_t edge_from(const std::vector<int>& cell, int p) {
+  return size_t(std::find(cell.begin(), cell.end(), p) - cell.begin());
+}
 
 // Exact bonds: Gauss's points. Springs: at the ends, as the paper has them; where the jump may be quadratic also in the
 // middle, by Simpson's rule.
 void place_points(Joint& joint, bool second_order) {
   static constexpr GaussPoint ends[] = {{0, 0.5}, {1, 0.5}}, simpson[] = {{0, 1.0 / 6}, {0.5, 4.0 / 6}, {1, 1.0 / 6}};
-  const std::span<const GaussPoint> springs = second_order ? std::span<const GaussPoint>(simpson) : std::span<const GaussPoint>(ends);
+  const std::span<const GaussPoint> springs =
+      second_order ? std::span<const GaussPoint>(simpson) : std::span<const GaussPoint>(ends);
   const auto points = joint.kind == BondKind::exact ? gauss_points(second_order ? 3 : 2) : springs;
   joint.points.resize(points.size());
   for (size_t k = 0; k < points.size(); ++k) {
@@ -173,8 +178,8 @@ void place_points(Joint& joint, bool second_order) {
   }
 }
 
-void add_joint(Model& model, int first, const Tessellation& t, const std::vector<DividedCell>& cells, const Tessellation::Interface& face, int property,
-               bool bonded, const std::vector<int>& node) {
+void add_joint(Model& model, int first, const Tessellation& t, const std::vector<DividedCell>& cells,
+               const Tessellation::Interface& face, int property, bool bonded, const std::vector<int>& node) {
   const int a = first + face.a, b = first + face.b;
   const Vec2 p = t.points[face.p], q = t.points[face.q];
   Joint joint;
@@ -204,11 +209,13 @@ void add_joint(Model& model, int first, const Tessellation& t, const std::vector
 // Nodes are the tessellation's points; a point where an unbonded trace passes serves both sides, and the
 // recovery separates them by the joints' connectivity.
 // Returns the number of each point's node.
-std::vector<int> add_nodes(Model& model, int region, const Tessellation& t, const std::vector<DividedCell>& cells, int first_block) {
+std::vector<int> add_nodes(Model& model, int region, const Tessellation& t, const std::vector<DividedCell>& cells,
+                           int first_block) {
   std::vector<int> node(t.points.size(), -1);
   std::vector<std::vector<std::pair<int, int>>> corners(t.points.size());
   for (size_t c = 0; c < t.cells.size(); ++c)
-    for (size_t v = 0; v < t.cells[c].size(); ++v) corners[t.cells[c][v]].push_back({first_block + int(c), cells[c].corner[v]});
+    for (size_t v = 0; v < t.cells[c].size(); ++v)
+      corners[t.cells[c][v]].push_back({first_block + int(c), cells[c].corner[v]});
   Nodes& nodes = model.nodes;
   if (nodes.begin.empty()) nodes.begin.push_back(0);
   for (size_t p = 0; p < t.points.size(); ++p) {
@@ -228,7 +235,8 @@ std::vector<int> add_nodes(Model& model, int region, const Tessellation& t, cons
 // Whether anything may come to touch: else nothing asks for the middles of edges that bend.
 bool may_touch(const Scene& scene) {
   const auto in_pieces = [](const Region& region) {
-    return region.outlines.size() > 1 || region.mesh.kind == MeshKind::given || !region.traces.empty() || !region.joint_sets.empty();
+    return region.outlines.size() > 1 || region.mesh.kind == MeshKind::given || !region.traces.empty() ||
+           !region.joint_sets.empty();
   };
   return scene.regions.size() > 1 || std::ranges::any_of(scene.regions, in_pieces) ||
          std::ranges::any_of(scene.properties, [](const JointProperty& property) { return property.breaks; });
@@ -237,14 +245,17 @@ bool may_touch(const Scene& scene) {
 // Which cells become blocks of second order; empty if none.
 std::vector<char> second_order(const Region& region, const Tessellation& t) {
   std::vector<char> bends;
-  for (const std::vector<int>& cell : t.cells) bends.push_back(unknowns(region, integrate(t.outline(cell))) == second_order_dofs);
+  for (const std::vector<int>& cell : t.cells)
+    bends.push_back(unknowns(region, integrate(t.outline(cell))) == second_order_dofs);
   if (std::ranges::none_of(bends, [](char bend) { return bend; })) bends.clear();
   return bends;
 }
 
-void add_tessellation(Model& model, int region_id, const Tessellation& t, const Cuts& cuts, std::vector<FreeEdge>& edges) {
+void add_tessellation(Model& model, int region_id, const Tessellation& t, const Cuts& cuts,
+                      std::vector<FreeEdge>& edges) {
   const Region& region = model.scene.regions[region_id];
-  const std::vector<DividedCell> cells = divided(t, may_touch(model.scene) ? second_order(region, t) : std::vector<char>{});
+  const std::vector<DividedCell> cells =
+      divided(t, may_touch(model.scene) ? second_order(region, t) : std::vector<char>{});
   const int first = int(model.shapes.size());
   for (const DividedCell& cell : cells) add_block(model, region_id, cell.outline);
   const std::vector<int> node = add_nodes(model, region_id, t, cells, first);
@@ -254,8 +265,7 @@ void add_tessellation(Model& model, int region_id, const Tessellation& t, const 
     const int property = face.trace >= 0 && cuts.property[face.trace] >= 0 ? cuts.property[face.trace] : own;
     const bool bonded = face.trace < 0 || cuts.bonded[face.trace];
     add_joint(model, first, t, cells, face, property, bonded, node);
-    if (!bonded)
-      model.pair_property[(std::int64_t(std::min(a, b)) << 32) | std::max(a, b)] = property;
+    if (!bonded) model.pair_property[(std::int64_t(std::min(a, b)) << 32) | std::max(a, b)] = property;
   }
   for (const BoundaryEdge& edge : boundary_edges(t)) {
     const auto& [outline, corner] = cells[size_t(edge.cell)];
@@ -279,12 +289,14 @@ void add_ready_blocks(Model& model, int region_id, std::vector<FreeEdge>& edges)
 // Points that lie within a distance of each other, as one: the first of them.
 class Welded {
  public:
-  Welded(const Vec2& corner, double distance, std::vector<Vec2>& points) : corner_(corner), distance_(distance), points_(points) {}
+  Welded(const Vec2& corner, double distance, std::vector<Vec2>& points)
+      : corner_(corner), distance_(distance), points_(points) {}
   int operator()(const Vec2& p) {
     const std::int64_t x = square(p.x() - corner_.x()), y = square(p.y() - corner_.y());
     for (std::int64_t i = x - 1; i <= x + 1; ++i)
       for (std::int64_t j = y - 1; j <= y + 1; ++j)
-        if (const auto found = index_.find({i, j}); found != index_.end() && (points_[found->second] - p).norm() <= distance_)
+        if (const auto found = index_.find({i, j});
+            found != index_.end() && (points_[found->second] - p).norm() <= distance_)
           return found->second;
     points_.push_back(p);
     return index_[{x, y}] = int(points_.size()) - 1;
@@ -298,8 +310,8 @@ class Welded {
   std::map<std::pair<std::int64_t, std::int64_t>, int> index_;
 };
 
-// Ready blocks that are bonded where they share a whole edge. Corners are in one place that differ by the rounding of what a
-// script works out, far from the origin too.
+// Ready blocks that are bonded where they share a whole edge. Corners are in one place that differ by the rounding of
+// what a script works out, far from the origin too.
 Tessellation given_cells(const Region& region) {
   constexpr double one_place = 1e-9;  // of the region's box
   Tessellation t;
@@ -322,8 +334,8 @@ Tessellation given_cells(const Region& region) {
 void add_region(Model& model, int region_id, std::vector<FreeEdge>& edges) {
   const Region& region = model.scene.regions[region_id];
   const std::string field = "region \"" + region.name + "\"";
-  const bool ready = region.mesh.kind == MeshKind::none && region.traces.empty() && region.joint_sets.empty() &&
-                     region.holes.empty();
+  const bool ready =
+      region.mesh.kind == MeshKind::none && region.traces.empty() && region.joint_sets.empty() && region.holes.empty();
   const long left = model.scene.max_blocks - long(model.shapes.size());
   try {
     if (ready) return add_ready_blocks(model, region_id, edges);
@@ -336,9 +348,10 @@ void add_region(Model& model, int region_id, std::vector<FreeEdge>& edges) {
     add_tessellation(model, region_id, t, cuts, edges);
   } catch (const std::length_error& error) {
     const Place& place = region.mesh.place.file.empty() ? region.place : region.mesh.place;
-    throw InputError(place, "mesh of " + field,
-                     "at most " + std::to_string(model.scene.max_blocks) + " blocks (raise max_blocks or the mesh size)",
-                     error.what());
+    throw InputError(
+        place, "mesh of " + field,
+        "at most " + std::to_string(model.scene.max_blocks) + " blocks (raise max_blocks or the mesh size)",
+        error.what());
   } catch (const std::invalid_argument& error) {
     throw InputError(region.place, field, "a region that can be divided into blocks", error.what());
   }

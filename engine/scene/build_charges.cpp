@@ -15,9 +15,12 @@ namespace {
 
 constexpr double on_outline = 1e-9;  // of the scene's size, as for fixities: far above rounding, far below any block
 
-std::pair<double, double> key(const Vec2& p) { return {p.x(), p.y()}; }
+std::pair<double, double> key(const Vec2& p) {
+  return {p.x(), p.y()};
+}
 
-// Outlines of blocks, or of blocks that hang together, which lie in the hole with nothing of them outside. Returns their part of its area.
+// Outlines of blocks, or of blocks that hang together, which lie in the hole with nothing of them outside. Returns
+// their part of its area.
 double add_loose(const Model& model, const Hole& hole, const std::vector<FreeEdge>& edges, HoleWall& wall) {
   std::multimap<std::pair<double, double>, const FreeEdge*> from;
   const auto lies_in = [&](int block) {
@@ -79,7 +82,8 @@ HoleWall wall_of(const Model& model, int id, const std::vector<FreeEdge>& edges)
                      "\"" + hole.name + "\", whose wall has " + std::to_string(wall.edges.size()) + " of " +
                          std::to_string(count) + " edges in a row" + (closed ? "" : ", which do not close"));
   if (!(add_loose(model, hole, edges, wall) < 1 - on_outline))
-    throw InputError(charge.place, "charge.hole", "a hole with room for gas", "\"" + hole.name + "\", which is filled with blocks");
+    throw InputError(charge.place, "charge.hole", "a hole with room for gas",
+                     "\"" + hole.name + "\", which is filled with blocks");
   return wall;
 }
 
@@ -90,7 +94,8 @@ void refuse_dashpots(const Model& model, const HoleWall& wall) {
     for (const BlockEdge& edge : wall.edges)
       if (viscous.block == edge.block && viscous.edge == edge.edge)
         throw InputError(charge.place, "charge.hole", "a hole whose wall is rock",
-                         "\"" + model.scene.regions[charge.region].holes[charge.hole].name + "\", part of which is a viscous boundary");
+                         "\"" + model.scene.regions[charge.region].holes[charge.hole].name +
+                             "\", part of which is a viscous boundary");
 }
 
 // A delay in seconds that was meant in milliseconds, for one.
@@ -102,10 +107,12 @@ void note_late(Model& model, const Charge& charge) {
   model.notes.push_back("charge \"" + charge.name + "\" does not go off: " + text);
 }
 
-// Block and edge, of those that a fixity holds from end to end; rigid blocks, and those that springs hold, it holds at points.
+// Block and edge, of those that a fixity holds from end to end; rigid blocks, and those that springs hold, it holds at
+// points.
 std::set<std::pair<int, int>> held_edges(const Model& model, const std::vector<FreeEdge>& edges) {
   std::map<std::pair<int, int>, std::vector<Vec2>> pinned;  // by block and fixity
-  for (const PointFixity& point : model.point_fixities) pinned[{point.block, point.fixity}].push_back(model.reference_place(point.block, point.in_block));
+  for (const PointFixity& point : model.point_fixities)
+    pinned[{point.block, point.fixity}].push_back(model.reference_place(point.block, point.in_block));
   const auto same = [&](const Vec2& a, const Vec2& b) { return (a - b).norm() <= on_outline * model.extent; };
   const auto holds = [&](const std::vector<Vec2>& points, const Vec2& end) {
     return std::any_of(points.begin(), points.end(), [&](const Vec2& point) { return same(point, end); });
@@ -117,7 +124,8 @@ std::set<std::pair<int, int>> held_edges(const Model& model, const std::vector<F
              same(edge.to, model.reference_place(edge.block, fixity.in_block[1]));
     };
     bool whole = std::any_of(model.edge_fixities.begin(), model.edge_fixities.end(), by_edge);
-    for (auto of = pinned.lower_bound({edge.block, 0}); !whole && of != pinned.end() && of->first.first == edge.block; ++of)
+    for (auto of = pinned.lower_bound({edge.block, 0}); !whole && of != pinned.end() && of->first.first == edge.block;
+         ++of)
       whole = holds(of->second, edge.from) && holds(of->second, edge.to);
     if (whole) held.insert({edge.block, edge.edge});
   }

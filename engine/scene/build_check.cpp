@@ -25,7 +25,9 @@ std::string number(double value) {
   return text;
 }
 
-std::string pair_text(const Vec2& p) { return "(" + number(p.x()) + ", " + number(p.y()) + ")"; }
+std::string pair_text(const Vec2& p) {
+  return "(" + number(p.x()) + ", " + number(p.y()) + ")";
+}
 
 // A scene may list corners either way round. Those that run clockwise are turned, the first one staying the first;
 // where an outline has another defect it is told of the corners as they were given.
@@ -38,11 +40,13 @@ void check_outline(Polyline& outline, const Place& place, const std::string& fie
   outline = std::move(turned);
 }
 
-// Where a corner of one lies on the other, to the round-off of what divides a region, which needs a gap between its boundaries.
+// Where a corner of one lies on the other, to the round-off of what divides a region, which needs a gap between its
+// boundaries.
 std::optional<Vec2> touch(const Polyline& a, const Polyline& b) {
   constexpr double round_off = 1e-14;
   const auto box_a = box_of(a), box_b = box_of(b);
-  const double near = round_off * std::max(box_a.merged(box_b).min().cwiseAbs().maxCoeff(), box_a.merged(box_b).max().cwiseAbs().maxCoeff());
+  const double near = round_off * std::max(box_a.merged(box_b).min().cwiseAbs().maxCoeff(),
+                                           box_a.merged(box_b).max().cwiseAbs().maxCoeff());
   if (box_a.exteriorDistance(box_b) > near) return std::nullopt;
   for (const auto& [corners, boundary] : {std::pair{&a, &b}, {&b, &a}})
     for (const Vec2& p : *corners)
@@ -53,7 +57,8 @@ std::optional<Vec2> touch(const Polyline& a, const Polyline& b) {
 void check_touch(const Region& region, size_t h, const Place& place, const std::string& field) {
   const Polyline& own = region.holes[h].outline;
   if (const auto at = touch(own, region.outlines[0]))
-    throw InputError(place, field, "a hole that keeps off the region's outline", "one that touches it at " + pair_text(*at));
+    throw InputError(place, field, "a hole that keeps off the region's outline",
+                     "one that touches it at " + pair_text(*at));
   for (size_t other = 0; other < h; ++other)
     if (const auto at = touch(own, region.holes[other].outline))
       throw InputError(place, field, "holes that keep off each other",
@@ -66,7 +71,8 @@ void check_inside(const Region& region, const Hole& hole, const Place& place, co
       throw InputError(place, field, "a hole inside the region's outline", "a corner at " + pair_text(p) + " outside");
   const double shared = overlap_area(region.outlines[0], hole.outline), own = signed_area(hole.outline);
   if (shared < own * (1 - 1e-9))
-    throw InputError(place, field, "a hole inside the region's outline", number(100 * (1 - shared / own)) + " % of its area outside");
+    throw InputError(place, field, "a hole inside the region's outline",
+                     number(100 * (1 - shared / own)) + " % of its area outside");
 }
 
 // Of ready blocks a hole is what they leave.
@@ -74,7 +80,8 @@ void check_left(const Region& region, const Hole& hole, const Place& place, cons
   const auto box = box_of(hole.outline);
   for (size_t b = 0; b < region.outlines.size(); ++b)
     if (box.intersects(box_of(region.outlines[b])) && overlap_area(region.outlines[b], hole.outline) > 0)
-      throw InputError(place, field, "a hole that the region's blocks leave", "one that block " + std::to_string(b + 1) + " lies in");
+      throw InputError(place, field, "a hole that the region's blocks leave",
+                       "one that block " + std::to_string(b + 1) + " lies in");
 }
 
 void check_holes(Region& region) {
@@ -88,7 +95,8 @@ void check_holes(Region& region) {
     ready ? check_left(region, hole, place, field) : check_inside(region, hole, place, field);
     for (size_t other = 0; other < h; ++other)
       if (overlap_area(region.holes[other].outline, hole.outline) > 0)
-        throw InputError(place, field, "holes that do not overlap", "an overlap with hole \"" + region.holes[other].name + "\"");
+        throw InputError(place, field, "holes that do not overlap",
+                         "an overlap with hole \"" + region.holes[other].name + "\"");
     if (!ready) check_touch(region, h, place, field);
   }
 }
@@ -120,10 +128,11 @@ double overlap_of_holes(const Piece& a, const Polyline& b) {
   return area;
 }
 
-// The area of rock that two pieces share. Holes lie in their outlines and apart from each other, so what two holes share has been
-// taken away twice.
+// The area of rock that two pieces share. Holes lie in their outlines and apart from each other, so what two holes
+// share has been taken away twice.
 double shared_rock(const Piece& a, const Piece& b) {
-  double area = overlap_area(*a.outline, *b.outline) - overlap_of_holes(a, *b.outline) - overlap_of_holes(b, *a.outline);
+  double area =
+      overlap_area(*a.outline, *b.outline) - overlap_of_holes(a, *b.outline) - overlap_of_holes(b, *a.outline);
   if (b.has_holes())
     for (const Hole& hole : b.region->holes) area += overlap_of_holes(a, hole.outline);
   return area;
@@ -162,7 +171,9 @@ std::string count_text(double count) {
   return text;
 }
 
-std::string limit_text(long most) { return "at most " + std::to_string(most) + " blocks (max_blocks)"; }
+std::string limit_text(long most) {
+  return "at most " + std::to_string(most) + " blocks (max_blocks)";
+}
 
 // Two digits, away from zero, after a twentieth for the estimate's sake.
 std::string enough(double value) {
@@ -268,8 +279,9 @@ void check_mesh(const Region& region, long most) {
   if (mesh.nx > 0 && mesh.ny > 0) {
     const double blocks = each * mesh.nx * mesh.ny;
     if (blocks <= limit) return;
-    throw InputError(place, field, limit_text(most) + ", so nx*ny of " + count_text(std::floor(limit / each)) + " or less",
-                     count_text(blocks) + " from nx = " + std::to_string(mesh.nx) + ", ny = " + std::to_string(mesh.ny));
+    throw InputError(
+        place, field, limit_text(most) + ", so nx*ny of " + count_text(std::floor(limit / each)) + " or less",
+        count_text(blocks) + " from nx = " + std::to_string(mesh.nx) + ", ny = " + std::to_string(mesh.ny));
   }
   const double blocks = each * squares_of(region);
   if (!(blocks > limit)) return;
@@ -287,8 +299,9 @@ void check_weight(const Scene& scene, const Region& region) {
   constexpr double most = 1e100;  // N/m
   const double weight = scene.materials[region.material].density * area_of(region) * scene.gravity.norm();
   if (weight < most) return;
-  throw InputError(scene.time.place, "simulation.gravity", "less than " + number(most) + " N/m for the weight of a region",
-                   number(weight) + " N/m for region \"" + region.name + "\" under " + pair_text(scene.gravity) + " m/s2");
+  throw InputError(
+      scene.time.place, "simulation.gravity", "less than " + number(most) + " N/m for the weight of a region",
+      number(weight) + " N/m for region \"" + region.name + "\" under " + pair_text(scene.gravity) + " m/s2");
 }
 
 }  // namespace
@@ -308,7 +321,8 @@ void check_regions(Scene& scene) {
   for (Region& region : scene.regions) {
     const std::string field = "outline of region \"" + region.name + "\"";
     for (size_t i = 0; i < region.outlines.size(); ++i)
-      check_outline(region.outlines[i], region.place, region.outlines.size() == 1 ? field : field + ", block " + std::to_string(i + 1));
+      check_outline(region.outlines[i], region.place,
+                    region.outlines.size() == 1 ? field : field + ", block " + std::to_string(i + 1));
     check_holes(region);
     check_weight(scene, region);
     check_joint_sets(region, scene.max_blocks);

@@ -9,7 +9,8 @@ namespace talus {
 
 namespace {
 
-constexpr double slender_block = 8, slender_triangle = 12;  // length over thickness; triangles of a mesh come to 10.6, between angles of 20.7°
+// length over thickness; triangles of a mesh come to 10.6, between angles of 20.7°
+constexpr double slender_block = 8, slender_triangle = 12;
 
 int parts_of_edge(double length, double area, double slender) {
   const double ratio = length * length / area;
@@ -44,7 +45,9 @@ std::vector<DividedCell> divided(const Tessellation& t, const std::vector<char>&
     }
   }
   // Of both cells the same place, to the last bit.
-  const auto on_edge = [&t](const Ends& ends, double at) { return Vec2(t.points[size_t(ends.first)] + at * (t.points[size_t(ends.second)] - t.points[size_t(ends.first)])); };
+  const auto on_edge = [&t](const Ends& ends, double at) {
+    return Vec2(t.points[size_t(ends.first)] + at * (t.points[size_t(ends.second)] - t.points[size_t(ends.first)]));
+  };
   std::vector<DividedCell> result(t.cells.size());
   for (size_t c = 0; c < t.cells.size(); ++c) {
     const std::vector<int>& cell = t.cells[c];
@@ -55,7 +58,8 @@ std::vector<DividedCell> divided(const Tessellation& t, const std::vector<char>&
       const Ends ends = std::minmax(cell[i], cell[next]);
       const auto found = parts.find(ends);
       const int count = found == parts.end() ? 1 : found->second;
-      for (int k = 1; k < count; ++k) outline.push_back(on_edge(ends, double(cell[i] == ends.first ? k : count - k) / count));
+      for (int k = 1; k < count; ++k)
+        outline.push_back(on_edge(ends, double(cell[i] == ends.first ? k : count - k) / count));
     }
     corner.push_back(int(outline.size()));
   }

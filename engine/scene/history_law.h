@@ -8,7 +8,8 @@
 namespace talus {
 
 // A number that may change with time t (s): a constant, a table of (t, value) with straight lines between
-// and held ends, or a function, which may throw InputError or RunError; and what is left of what it was before it was changed.
+// and held ends, or a function, which may throw InputError or RunError; and what is left of what it was before it was
+// changed.
 class History {
  public:
   History(double constant = 0) : constant_(constant) {}
@@ -24,12 +25,15 @@ class History {
     until_ = until;
   }
 
-  double at(double t) const { return left_ != 0 && t < until_ ? says(t) + left_ * std::min(1.0, (until_ - t) / (until_ - since_)) : says(t); }
+  double at(double t) const {
+    return left_ != 0 && t < until_ ? says(t) + left_ * std::min(1.0, (until_ - t) / (until_ - since_)) : says(t);
+  }
 
   double says(double t) const {
     if (function_) return function_(t);
     if (table_.empty()) return constant_;
-    auto next = std::upper_bound(table_.begin(), table_.end(), t, [](double a, const auto& row) { return a < row.first; });
+    auto next =
+        std::upper_bound(table_.begin(), table_.end(), t, [](double a, const auto& row) { return a < row.first; });
     if (next == table_.begin()) return table_.front().second;
     if (next == table_.end()) return table_.back().second;
     auto last = next - 1;
@@ -37,20 +41,22 @@ class History {
   }
 
   double just_before(double t) const {  // where it jumps at t, what it jumps from; of constants and tables
-    const auto next = std::lower_bound(table_.begin(), table_.end(), t, [](const auto& row, double a) { return row.first < a; });
+    const auto next =
+        std::lower_bound(table_.begin(), table_.end(), t, [](const auto& row, double a) { return row.first < a; });
     return next != table_.end() && next->first == t ? next->second : at(t);
   }
   // s, the first time after t at which a table bends or jumps, or infinity.
   double next_bend(double t) const {
-    const auto next = std::upper_bound(table_.begin(), table_.end(), t, [](double a, const auto& row) { return a < row.first; });
+    const auto next =
+        std::upper_bound(table_.begin(), table_.end(), t, [](double a, const auto& row) { return a < row.first; });
     return next == table_.end() ? std::numeric_limits<double>::infinity() : next->first;
   }
 
   bool constant() const { return !function_ && table_.empty() && left_ == 0; }
   bool is_function() const { return bool(function_); }
 
-  // ∫ from `begin` to `end`, not before it: exact for constants and tables; Gauss's rule with 16 points for functions, for no more than a
-  // step, as points that slide over jumps and waves would shake what is moved by them.
+  // ∫ from `begin` to `end`, not before it: exact for constants and tables; Gauss's rule with 16 points for functions,
+  // for no more than a step, as points that slide over jumps and waves would shake what is moved by them.
   double integral(double begin, double end) const {
     if (function_) {
       constexpr int parts = 8;

@@ -11,9 +11,10 @@ struct Scene;
 
 struct Plan {
   bool bonds = false, contacts = false, fixities = false, point_loads = false, edge_loads = false, body_forces = false,
-       held_blocks = false, recovery = false, dynamic = false, fracture = false, viscous = false, gas = false, step_error = false,
-       restitution = false;
-  // What the energy ledger can have beside: gravity, work of loads, in static runs of an initial stress, of supports that move, of damping laws.
+       held_blocks = false, recovery = false, dynamic = false, fracture = false, viscous = false, gas = false,
+       step_error = false, restitution = false;
+  // What the energy ledger can have beside: gravity, work of loads, in static runs of an initial stress, of supports
+  // that move, of damping laws.
   bool gravity = false, loads = false, initial_stress = false, moving_supports = false, damping = false;
   // "part: what it does here", in order of the step; printed by `talus plan`, stored in run.json.
   std::vector<std::pair<std::string, std::string>> lines;

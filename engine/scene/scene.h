@@ -17,7 +17,7 @@ namespace talus {
 
 enum class Plane { stress, strain };
 enum class BlockOrder { rigid = 0, first = 1, second = 2 };  // 3, 6 and 12 unknowns
-enum class BondKind { exact, spring };           // Nitsche; springs at the edge's ends (the paper)
+enum class BondKind { exact, spring };                       // Nitsche; springs at the edge's ends (the paper)
 enum class StiffnessKind { per_length, per_area, per_contact };
 
 struct Material {
@@ -39,17 +39,19 @@ struct JointProperty {
   BondKind bond = BondKind::exact;
   double penalty = 1.1;  // exact bonds: multiple (> 1) of the stiffness that is provably positive definite
   StiffnessKind stiffness_kind = StiffnessKind::per_length;
-  double stiffness = 100;    // contacts and spring bonds. per_length: alpha in alpha E/h; per_area: Pa/m; per_contact: N/m
-  double shear_ratio = 0.4;  // shear stiffness / normal stiffness of contacts and spring bonds
-  double restitution = 1;    // the most of the speed at which faces met with which they part
-  bool breaks = false;       // its bonds have a strength: the three above; without one they hold for ever
-  Strength residual;         // of a failed bond, where there is no `reduction`
+  // contacts and spring bonds. per_length: alpha in alpha E/h; per_area: Pa/m; per_contact: N/m
+  double stiffness = 100;
+  double shear_ratio = 0.4;    // shear stiffness / normal stiffness of contacts and spring bonds
+  double restitution = 1;      // the most of the speed at which faces met with which they part
+  bool breaks = false;         // its bonds have a strength: the three above; without one they hold for ever
+  Strength residual;           // of a failed bond, where there is no `reduction`
   FailureCriterion criterion;  // empty: Mohr–Coulomb with tension cut-off
   ReductionLaw reduction;      // empty: at once to `residual`
-  double softening_compliance = 0;  // m/Pa, of `reduction` where it softens: opening over tension lost, at its steepest; else 0
-  double shear_compliance = 0;      // m/Pa, likewise slip over cohesion lost, where G_II is given; else 0
-  double weibull = 0;          // modulus of the bonds' scattered strength; 0: all alike
-  unsigned seed = 1;           // of the scatter
+  // m/Pa, of `reduction` where it softens: opening over tension lost, at its steepest; else 0
+  double softening_compliance = 0;
+  double shear_compliance = 0;  // m/Pa, likewise slip over cohesion lost, where G_II is given; else 0
+  double weibull = 0;           // modulus of the bonds' scattered strength; 0: all alike
+  unsigned seed = 1;            // of the scatter
 
   Strength strength() const { return {friction, cohesion, tension}; }
 };
@@ -67,29 +69,30 @@ struct Trace {
 // Parallel joints. Turned into traces by geometry/joint_set, clipped to the region's bounding box.
 struct JointSet {
   Place place;
-  double dip = 0;               // rad, angle of the joints against +x, counter-clockwise
-  double spacing = 0;           // m, > 0, normal distance between joints
-  double persistence = 1;       // (0, 1], jointed part of a line's length
-  double trace_length = 0;      // m, length of one jointed part when persistence < 1
+  double dip = 0;                   // rad, angle of the joints against +x, counter-clockwise
+  double spacing = 0;               // m, > 0, normal distance between joints
+  double persistence = 1;           // (0, 1], jointed part of a line's length
+  double trace_length = 0;          // m, length of one jointed part when persistence < 1
   double trace_length_scatter = 0;  // [0, 1), uniform relative scatter of trace_length
   double gap_scatter = 0;           // [0, 1), of the bridge's length trace_length·(1/persistence - 1)
-  double spacing_scatter = 0;   // [0, 1), uniform relative scatter of the spacing
-  double dip_scatter = 0;       // rad, uniform scatter of the dip
-  std::optional<Vec2> through;  // a point on one of the joints; else the centre of the region's box
+  double spacing_scatter = 0;       // [0, 1), uniform relative scatter of the spacing
+  double dip_scatter = 0;           // rad, uniform scatter of the dip
+  std::optional<Vec2> through;      // a point on one of the joints; else the centre of the region's box
   unsigned seed = 1;
   int property = -1;
   bool bonded = false;
 };
 
-enum class MeshKind { none, triangles, voronoi, cross, diagonal, alternating, given };  // given: the outlines are its cells
+// given: the outlines are its cells
+enum class MeshKind { none, triangles, voronoi, cross, diagonal, alternating, given };
 struct Mesh {
   Place place;
   MeshKind kind = MeshKind::none;
-  double size = 0;                          // m, wanted edge length (triangles; patterns when nx, ny are 0), of grains
-                                            // the square root of the mean area (voronoi)
-  std::function<double(Vec2)> size_at;      // optional size field, m, > 0
-  int nx = 0, ny = 0;                       // rectangles along x and y (patterns)
-  unsigned seed = 1;                        // voronoi
+  double size = 0;                      // m, wanted edge length (triangles; patterns when nx, ny are 0), of grains
+                                        // the square root of the mean area (voronoi)
+  std::function<double(Vec2)> size_at;  // optional size field, m, > 0
+  int nx = 0, ny = 0;                   // rectangles along x and y (patterns)
+  unsigned seed = 1;                    // voronoi
 };
 
 // What becomes of blocks and edges that a cut leaves too small.
@@ -116,7 +119,7 @@ struct Region {
   int joint = -1;  // property of its bonds and of contacts among its own blocks; -1: Scene::contact
   BlockOrder order = BlockOrder::first;
   std::function<BlockOrder(Vec2)> order_at;  // optional, of each block by its centroid
-  bool held = false;  // wholly fixed: no unknowns; moves only by a prescribed motion
+  bool held = false;                         // wholly fixed: no unknowns; moves only by a prescribed motion
   Mesh mesh;
   std::vector<Trace> traces;
   std::vector<JointSet> joint_sets;
@@ -146,8 +149,8 @@ struct Fixity {
   std::array<History, 2> value;  // m or m/s
   double spin = 0;               // rad/s, about the centroid: only for On::region
 
-  double since = 0;              // s; a motion by velocity goes on from there,
-  Vec2 gone = Vec2::Zero();      // m, where it was
+  double since = 0;          // s; a motion by velocity goes on from there,
+  Vec2 gone = Vec2::Zero();  // m, where it was
 
   Vec2 moved(double t) const {  // m, since the start, as it asks for; of a region its centroid
     if (motion == none || t <= 0) return Vec2::Zero();
@@ -171,8 +174,8 @@ struct Fixity {
 struct PointLoad {
   Place place;
   std::string name;
-  Vec2 at = Vec2::Zero();  // initial position of the loaded material point
-  int region = -1;         // -1: whichever region holds the point
+  Vec2 at = Vec2::Zero();        // initial position of the loaded material point
+  int region = -1;               // -1: whichever region holds the point
   std::array<History, 2> force;  // N per m thickness
 };
 
@@ -203,16 +206,17 @@ struct GasMoment {
 // Pressure of explosion gas by its volume over the volume it had at first, v >= 1, and the energy it gives.
 struct GasLaw {
   std::function<double(double v, const GasMoment&)> pressure;  // Pa, falling with v
-  std::function<double(double from, double to)> work;          // J per m3 of the first volume, ∫ P dv; empty: by quadrature
-  std::vector<double> constants;                               // that it is made of; empty: a function of the script
+  // J per m3 of the first volume, ∫ P dv; empty: by quadrature
+  std::function<double(double from, double to)> work;
+  std::vector<double> constants;  // that it is made of; empty: a function of the script
 };
 
 // Gas leaves a chamber through what is open at the free surfaces it has reached (gas/orifice.h).
 struct Orifice {
-  double coefficient = 1;  // of discharge
-  double gamma = 1.4;      // of the gas as it leaves
-  double density = 0;      // kg/m3, of the gas in the hole when the charge goes off
-  double atmosphere = 0;   // Pa, at which it ends
+  double coefficient = 1;         // of discharge
+  double gamma = 1.4;             // of the gas as it leaves
+  double density = 0;             // kg/m3, of the gas in the hole when the charge goes off
+  double atmosphere = 0;          // Pa, at which it ends
   std::optional<double> opening;  // m (m2 per metre); none: the apertures of the joints that end there
 };
 
@@ -231,7 +235,8 @@ struct Charge {
   double delay = 0;            // s, scatter included
   double mass = 0;             // kg per metre; 0: the gas is given, not the explosive
   GasLaw law;
-  // Of a law that is a function: throws where its pressure grows from one v to a larger one, whichever comes first. Empty else.
+  // Of a law that is a function: throws where its pressure grows from one v to a larger one, whichever comes first.
+  // Empty else.
   std::function<void(double v, double other, const GasMoment&)> check_fall;
   std::function<double(const GasMoment&)> gas_speed;  // m/s into cracks
   std::optional<double> constant_speed;               // m/s, what gas_speed is; none: a function of the script
@@ -259,16 +264,17 @@ enum class Integrator { theta, newmark };
 struct TimeControl {
   Place place;
   Mode mode = Mode::dynamic;
-  double t_end = 0;             // s; static: the load histories run from 0 to t_end
-  int steps = 1;                // static: load steps between 0 and t_end
-  double dt = 0;                // s; 0: automatic from displacement_ratio
-  double dt_min = 0;            // s; 0: 1e-6 of the first step
-  double dt_max = 0;            // s; 0: no bound but t_end/10
-  double tolerance = 0;         // of the fastest motion, what errors of steps may add up to over the run; 0: not looked at
+  double t_end = 0;   // s; static: the load histories run from 0 to t_end
+  int steps = 1;      // static: load steps between 0 and t_end
+  double dt = 0;      // s; 0: automatic from displacement_ratio
+  double dt_min = 0;  // s; 0: 1e-6 of the first step
+  double dt_max = 0;  // s; 0: no bound but t_end/10
+  // of the fastest motion, what errors of steps may add up to over the run; 0: not looked at
+  double tolerance = 0;
   double displacement_ratio = 0.005;  // largest displacement a step / half the scene's height (Model::extent)
-  bool settled_start = false;   // dynamic: begin from static equilibrium, with joints that do not slide where friction
-                                // cannot hold
-  long max_steps = 0;           // 0: no bound
+  bool settled_start = false;  // dynamic: begin from static equilibrium, with joints that do not slide where friction
+                               // cannot hold
+  long max_steps = 0;          // 0: no bound
 };
 
 // How the contacts of an island are solved in motion; see OpenClose.
@@ -277,18 +283,18 @@ enum class ContactSolver { automatic, factor, sweeps };
 struct Numerics {
   std::string profile = "default";
   Integrator integrator = Integrator::theta;
-  double theta = 0.75;             // [0.5, 1]
-  double dynamic_parameter = 1;    // [0, 1], part of the velocity a step inherits (newmark)
+  double theta = 0.75;           // [0.5, 1]
+  double dynamic_parameter = 1;  // [0, 1], part of the velocity a step inherits (newmark)
   // Part of its velocity that a block of this speed (m/s) keeps after a step (s), [0, 1]; empty: all of it.
   std::function<double(double speed, double dt)> damping;
-  double contact_tolerance = 1e-8; // contact residual / force scale of a block
-  double static_tolerance = 1e-8;  // out-of-balance force / force scale
-  int max_iterations = 60;         // open–close iterations before the step is cut
+  double contact_tolerance = 1e-8;  // contact residual / force scale of a block
+  double static_tolerance = 1e-8;   // out-of-balance force / force scale
+  int max_iterations = 60;          // open–close iterations before the step is cut
   int threads = 1;
-  bool islands = true;             // what does not touch is solved apart
-  bool sleeping = false;           // islands at rest are left out of the step until something comes near
+  bool islands = true;    // what does not touch is solved apart
+  bool sleeping = false;  // islands at rest are left out of the step until something comes near
   ContactSolver solver = ContactSolver::automatic;
-  bool recovery = true;            // smoothed stress for output and probes beside the raw block stress
+  bool recovery = true;  // smoothed stress for output and probes beside the raw block stress
 };
 
 enum class FailureOrder { critical, all, one };
@@ -298,20 +304,20 @@ enum class CrackPath { automatic, mesh, tracked };
 // Which of the bonds that have reached their strength fail at once, before the others are judged anew.
 struct FractureControl {
   FailureOrder order = FailureOrder::critical;  // the most critical and those within `band` of it
-  double band = 0.05;       // part of the highest utilisation
+  double band = 0.05;                           // part of the highest utilisation
   double overshoot = 0.01;  // static: part by which an increment of load may pass the strength of the first bond
   CrackPath path = CrackPath::automatic;
 };
 
 struct Output {
   Place place;
-  std::string dir;           // empty: write nothing
-  double every = 0;          // s between output times; 0: first and last only
+  std::string dir;   // empty: write nothing
+  double every = 0;  // s between output times; 0: first and last only
   bool vtk = true;
-  bool error = false;        // the estimated error of stress, into VTK and run.json
+  bool error = false;  // the estimated error of stress, into VTK and run.json
   bool picture = true;
   std::string picture_field = "s1";  // any block field
-  double picture_scale = 0;  // displacement magnification; 0: 1
+  double picture_scale = 0;          // displacement magnification; 0: 1
   // user arrays: name -> function(block id) -> value; evaluated at output times
   std::vector<std::pair<std::string, std::function<double(int)>>> fields;
   std::function<void()> on_frame;  // called after an output time was written; may be empty

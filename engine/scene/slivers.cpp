@@ -61,8 +61,10 @@ void treat_slivers(const Region& region, const Vec2& origin, Tessellation& t, st
   if (pattern || region.sliver_part <= 0 || t.cells.size() < 2) return;
   const LengthAt size = size_of(region, t);
   const LengthAt least = [&](const Vec2& p) { return region.sliver_part * size(p); };
-  const std::string part = short_number(region.sliver_part) + (kind == MeshKind::none ? " of the mean block size" : " of the mesh size");
-  const std::string limit = region.mesh.size_at ? part : short_number(least(region.outlines[0][0])) + " m (" + part + ")";
+  const std::string part =
+      short_number(region.sliver_part) + (kind == MeshKind::none ? " of the mean block size" : " of the mesh size");
+  const std::string limit =
+      region.mesh.size_at ? part : short_number(least(region.outlines[0][0])) + " m (" + part + ")";
   if (region.slivers == Slivers::merge && kind != MeshKind::triangles) merge(region, least, limit, t, notes);
   const SliverCount left = count_slivers(t, least);
   if (left.cells == 0) return;

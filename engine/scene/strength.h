@@ -45,11 +45,13 @@ struct BondPlace {
 };
 using BondPlaces = std::function<BondPlace(int joint)>;
 
-// Utilisations of bonds, finite and >= 0; of many at once, as the way into a script costs as much as what it computes. Their places are
-// looked up only where they are asked for. Proportional to the traction, or the load increments that are found from it are merely more.
+// Utilisations of bonds, finite and >= 0; of many at once, as the way into a script costs as much as what it computes.
+// Their places are looked up only where they are asked for. Proportional to the traction, or the load increments that
+// are found from it are merely more.
 using FailureCriterion = std::function<void(std::span<JudgedBond> bonds, const BondPlaces& places)>;
 
-// What a failed joint has been through: the largest slip and opening since it failed (m, >= 0) and the normal traction (Pa).
+// What a failed joint has been through: the largest slip and opening since it failed (m, >= 0) and the normal traction
+// (Pa).
 struct JointWear {
   double slip = 0, opening = 0, normal = 0;
 };

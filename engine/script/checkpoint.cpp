@@ -2,10 +2,10 @@
 
 #include <iostream>
 
-#include "step/clock.h"
 #include "script/lua_error.h"
 #include "script/saved_view.h"
 #include "script/simulation_view.h"
+#include "step/clock.h"
 #include "step/part_timer.h"
 
 namespace talus {
@@ -36,7 +36,8 @@ void Checkpoints::between_steps(lua_State* L, const std::shared_ptr<Run>& run, b
   const bool first = run->checkpoint.step < 0;  // it begins, or it was restored
   if (!first && (run->checkpoint.step == steps || !(last || due(*run)))) return;
   if (!first) write(L, run);
-  run->checkpoint = {steps, wall_seconds()};  // from its end: a slow disk does not leave the run without time for itself
+  // from its end: a slow disk does not leave the run without time for itself
+  run->checkpoint = {steps, wall_seconds()};
 }
 
 // As sim:save(file), by the library, which adds the script's own data. Where it cannot be written the run goes on: it

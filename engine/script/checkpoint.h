@@ -15,7 +15,8 @@ struct CheckpointOptions {
 };
 
 constexpr const char* checkpoint_name = "checkpoint.state";
-// Of the simulation of this number: the first has the file that was asked for, if one was, the others their number behind its name.
+// Of the simulation of this number: the first has the file that was asked for, if one was, the others their number
+// behind its name.
 std::string checkpoint_file(const std::string& asked, const std::string& dir, int simulation);
 
 class Checkpoints {

@@ -24,15 +24,20 @@ double peak_megabytes() {
 }
 
 // Unknowns to CPU seconds of one factorisation and to megabytes of the factor: cantilevers of 1340 to 22 000 blocks.
-double factor_seconds(double unknowns) { return 8e-3 * std::pow(unknowns / 8000, 1.5); }
-double factor_megabytes(double unknowns) { return 13 * std::pow(unknowns / 8000, 1.15); }
+double factor_seconds(double unknowns) {
+  return 8e-3 * std::pow(unknowns / 8000, 1.5);
+}
+double factor_megabytes(double unknowns) {
+  return 13 * std::pow(unknowns / 8000, 1.15);
+}
 
 std::string in_steps(const Simulation& simulation) {
   const double unknowns = simulation.model.dofs;
   const TimeControl& time = simulation.model.scene.time;
   return "  memory  about " + significant(peak_megabytes() + factor_megabytes(unknowns), 2) + " MB\n  time    " +
          duration(factor_seconds(unknowns) * 3 * time.steps) + " CPU: " + std::to_string(time.steps) + " load step" +
-         (time.steps == 1 ? "" : "s") + " of three factorisations; each step in which contacts change or bonds fail takes more\n";
+         (time.steps == 1 ? "" : "s") +
+         " of three factorisations; each step in which contacts change or bonds fail takes more\n";
 }
 
 std::string in_motion(Simulation& simulation) {
@@ -43,13 +48,14 @@ std::string in_motion(Simulation& simulation) {
   const double start = cpu_seconds(), from = simulation.model.time;
   int steps = 0;
   while (steps < most && !simulation.finished() && cpu_seconds() - start < patience) ++steps, simulation.step();
-  const double each = (cpu_seconds() - start) / std::max(steps, 1), dt = (simulation.model.time - from) / std::max(steps, 1);
+  const double each = (cpu_seconds() - start) / std::max(steps, 1),
+               dt = (simulation.model.time - from) / std::max(steps, 1);
   const TimeControl& time = simulation.model.scene.time;
   double left = dt > 0 ? std::ceil((time.t_end - simulation.model.time) / dt * (1 - 1e-9)) : 0;
   if (time.max_steps > 0) left = std::min(left, double(time.max_steps - steps));
   return "  memory  about " + significant(peak_megabytes(), 2) + " MB\n  time    " +
-         duration(start - begun + (steps + left) * each) + " CPU: " + fixed(steps + left, 0) + " steps of " + significant(dt, 2) +
-         " s at " + significant(each * 1e3, 2) + " ms, as the first " + std::to_string(steps) +
+         duration(start - begun + (steps + left) * each) + " CPU: " + fixed(steps + left, 0) + " steps of " +
+         significant(dt, 2) + " s at " + significant(each * 1e3, 2) + " ms, as the first " + std::to_string(steps) +
          " of them; contacts and cracks that come later take more\n";
 }
 

@@ -34,8 +34,7 @@ std::string who(const Model& model, int id) {
 }
 
 std::string carried(const BondTraction& t) {
-  const std::string normal =
-      t.normal >= 0 ? "a tension of " + pascal(t.normal) : "a pressure of " + pascal(-t.normal);
+  const std::string normal = t.normal >= 0 ? "a tension of " + pascal(t.normal) : "a pressure of " + pascal(-t.normal);
   return normal + " and a shear of " + pascal(std::abs(t.shear));
 }
 
@@ -55,8 +54,8 @@ std::string judged(const Model& model, const Joint& joint, const BondTraction& t
     return "Nothing pulls it apart, and friction alone holds the shear: none of its strength is used. ";
   std::string text;
   if (by.tension > 0)
-    text += "Tension: " + pascal(t.normal) + " of " + pascal(strength.tension) + ", " + per_cent(by.tension) +
-            " used. ";
+    text +=
+        "Tension: " + pascal(t.normal) + " of " + pascal(strength.tension) + ", " + per_cent(by.tension) + " used. ";
   if (by.shear > 0)
     text += "Shear: |τ| + σ tan " + degrees(strength.friction) + " = " +
             pascal(std::abs(t.shear) + t.normal * std::tan(strength.friction)) + " of the cohesion " +
@@ -86,11 +85,11 @@ std::string failed(const Model& model, int id) {
   constexpr const char* kinds[] = {"", "It was a crack of its own. ", "It let a crack grow on. ",
                                    "It joined two cracks. "};
   std::string text = "It failed in " + std::string(joint.mode == FailureMode::shear ? "shear" : "tension") +
-                     " at t = " + quantity(joint.failed_at, "s", 4) + ", under " + carried(joint.failed_with) +
-                     ". ";
+                     " at t = " + quantity(joint.failed_at, "s", 4) + ", under " + carried(joint.failed_with) + ". ";
   text += judged(model, joint, joint.failed_with, joint.utilisation);
   if (joint.path_turn != 0)
-    text += "Of the bonds at the tip of its crack it lay nearest to the path, whose normal is " + degrees(std::abs(joint.path_turn)) +
+    text += "Of the bonds at the tip of its crack it lay nearest to the path, whose normal is " +
+            degrees(std::abs(joint.path_turn)) +
             " off its own, when the tension across that path or in one of them reached the strength. ";
   text += kinds[int(joint.crack)];
   return text + "What it has left: " + left_of(joint.remaining) + ". " + faces(model, id);
@@ -103,7 +102,8 @@ std::string intact(const Model& model, const Joint& joint) {
     return "It is bonded and " + load + "Its joint gives no strength: it never fails.";
   std::string text = "It is intact and " + load + judged(model, joint, now, joint.utilisation);
   if (joint.utilisation > utilisation(model, joint))  // judged by the tip of a tracked crack
-    text += "A crack that ends at it would go on along it: the tension across that path uses " + per_cent(joint.utilisation) + " of its strength.";
+    text += "A crack that ends at it would go on along it: the tension across that path uses " +
+            per_cent(joint.utilisation) + " of its strength.";
   else if (joint.utilisation > 0)
     text += "It would fail at " + significant(1 / joint.utilisation, 3) + " times this traction.";
   return text;

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "fracture/reduction.h"
-#include "script/laws.h"
 #include "script/interrupt.h"
+#include "script/laws.h"
 #include "script/lua_error.h"
 
 namespace talus {
@@ -67,9 +67,9 @@ int bond_field(lua_State* L) {
 
 constexpr std::array strength_names = {"friction", "cohesion", "tension"};
 
-// (law, its table, question) -> what it returned that is no utilisation, or the name of a strength that it changed, or nothing. Lua takes
-// longer to be given a number than to add two: strengths, which bonds mostly share, are given again only where they are others. Fields
-// are set raw, whatever the law has made of its table.
+// (law, its table, question) -> what it returned that is no utilisation, or the name of a strength that it changed, or
+// nothing. Lua takes longer to be given a number than to add two: strengths, which bonds mostly share, are given again
+// only where they are others. Fields are set raw, whatever the law has made of its table.
 int judge_all(lua_State* L) {
   Question& question = *static_cast<Question*>(lua_touserdata(L, 3));
   for (const char* key : {"normal", "shear"}) lua_pushstring(L, key);
@@ -106,13 +106,17 @@ int judge_all(lua_State* L) {
   return 0;
 }
 
-// A criterion of the script, with the table that it is called with: one for all calls, as a new one each time would cost more than the law.
+// A criterion of the script, with the table that it is called with: one for all calls, as a new one each time would
+// cost more than the law.
 class Criterion {
  public:
-  Criterion(const LuaFunction& law, const JointProperty& property) : law_(law), table_(table(property.name)), place_(property.place) {}
+  Criterion(const LuaFunction& law, const JointProperty& property)
+      : law_(law), table_(table(property.name)), place_(property.place) {}
 
   void judge(std::span<JudgedBond> bonds, const BondPlaces& places) const {
-    if (*now_) throw InputError(place_, "joint.criterion", "a function that has no bond explained that it is asked about itself", "one that does");
+    if (*now_)
+      throw InputError(place_, "joint.criterion", "a function that has no bond explained that it is asked about itself",
+                       "one that does");
     Question question = {bonds, &places};
     const struct Asked {
       Question** now;
@@ -135,10 +139,13 @@ class Criterion {
       return arguments_text(std::array{"normal", "shear"}, std::array{traction.normal, traction.shear});
     };
     call(L, 3, 1, place_, "criterion", given);
-    if (question.at < question.bonds.size()) fail(place_, "criterion", given(), "expected a finite number >= 0, got " + describe(L, -1));
+    if (question.at < question.bonds.size())
+      fail(place_, "criterion", given(), "expected a finite number >= 0, got " + describe(L, -1));
     if (!lua_isnil(L, -1))
-      throw LawError(place_.text() + ": joint.criterion: expected a function that leaves what it is given as it is, got one that sets t." +
-                     lua_tostring(L, -1));
+      throw LawError(
+          place_.text() +
+          ": joint.criterion: expected a function that leaves what it is given as it is, got one that sets t." +
+          lua_tostring(L, -1));
     lua_pop(L, 1);
   }
 
@@ -166,11 +173,13 @@ class Criterion {
 };
 
 FailureCriterion criterion_of(const LuaFunction& law, const JointProperty& property) {
-  return [criterion = Criterion(law, property)](std::span<JudgedBond> bonds, const BondPlaces& places) { criterion.judge(bonds, places); };
+  return [criterion = Criterion(law, property)](std::span<JudgedBond> bonds, const BondPlaces& places) {
+    criterion.judge(bonds, places);
+  };
 }
 
-// (law, intact, slip, opening, normal; friction, cohesion, tension of `intact`) -> what it returned, a key in it that there is not or
-// nil, and where it is a table friction, cohesion and tension.
+// (law, intact, slip, opening, normal; friction, cohesion, tension of `intact`) -> what it returned, a key in it that
+// there is not or nil, and where it is a table friction, cohesion and tension.
 int reduce(lua_State* L) {
   for (int k = 0; k < 3; ++k) {
     lua_pushstring(L, strength_names[k]);
@@ -183,7 +192,8 @@ int reduce(lua_State* L) {
   lua_settop(L, 5);
   for (lua_pushnil(L); lua_next(L, 1); lua_pop(L, 1)) {
     const char* key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
-    if (std::none_of(strength_names.begin(), strength_names.end(), [key](const char* known) { return std::strcmp(known, key) == 0; })) {
+    if (std::none_of(strength_names.begin(), strength_names.end(),
+                     [key](const char* known) { return std::strcmp(known, key) == 0; })) {
       lua_pushvalue(L, -2);
       lua_replace(L, 2);
     }
@@ -199,7 +209,8 @@ ReductionLaw reduction_of(const LuaFunction& law, const JointProperty& property)
   lua_newtable(law.state());
   const LuaFunction arguments(law.state(), -1);  // one table for all calls
   lua_pop(law.state(), 1);
-  return [law, arguments, place = property.place, scattered = property.weibull > 0](const Strength& intact, const JointWear& wear) {
+  return [law, arguments, place = property.place, scattered = property.weibull > 0](const Strength& intact,
+                                                                                    const JointWear& wear) {
     lua_State* L = law.state();
     const auto given = [&] {
       return arguments_text(std::array{"slip", "opening", "normal"}, std::array{wear.slip, wear.opening, wear.normal});
@@ -214,18 +225,21 @@ ReductionLaw reduction_of(const LuaFunction& law, const JointProperty& property)
     const int answer = lua_gettop(L) - 4;
     if (!lua_istable(L, answer)) fail(place, "reduction", given(), "expected a table, got " + describe(L, answer));
     if (!lua_isnil(L, answer + 1))
-      fail(place, "reduction", given(), "expected friction, cohesion and tension in the table, got " + describe(L, answer + 1));
+      fail(place, "reduction", given(),
+           "expected friction, cohesion and tension in the table, got " + describe(L, answer + 1));
     const auto read = [&](int k, double missing, double most, const char* hint) {
       const int at = answer + 2 + k;
       const double value = lua_isnil(L, at) ? missing : lua_tonumber(L, at);
       if (!(lua_isnil(L, at) || lua_type(L, at) == LUA_TNUMBER) || !(value >= 0) || value > most * (1 + 1e-12))
-        fail(place, "reduction", given(), std::string("expected a ") + strength_names[k] + " from 0 to " + number_text(most) + hint +
-                                              ", got " + describe(L, at));
+        fail(place, "reduction", given(),
+             std::string("expected a ") + strength_names[k] + " from 0 to " + number_text(most) + hint + ", got " +
+                 describe(L, at));
       return value;
     };
     constexpr double right_angle = 1.5707963267948966;
-    const char* own = scattered ? " (Pa), the intact one of this bond, as its strength is scattered (take it from `intact`)"
-                                : " (Pa), the intact one";
+    const char* own = scattered
+                          ? " (Pa), the intact one of this bond, as its strength is scattered (take it from `intact`)"
+                          : " (Pa), the intact one";
     const Strength left = {read(0, intact.friction, right_angle, " (rad)"), read(1, 0, intact.cohesion, own),
                            read(2, 0, intact.tension, own)};
     lua_settop(L, answer - 1);
@@ -245,7 +259,8 @@ ReductionLaw ready_made(const TableReader& t, JointProperty& property) {
   t.read("jrc", jrc);
   t.read("jcs", jcs);
   if (kind == "softening") {
-    const Softening law = {shape == "exponential", energy_opening, energy_slip > 0 ? energy_slip : energy_opening, residual};
+    const Softening law = {shape == "exponential", energy_opening, energy_slip > 0 ? energy_slip : energy_opening,
+                           residual};
     property.softening_compliance = softening_compliance(law, property.tension);
     if (energy_slip > 0) property.shear_compliance = shear_compliance(law, property.cohesion);
     return softening(law);

@@ -39,8 +39,8 @@ int push_fractures(lua_State* L, const Simulation& simulation) {
   return 1;
 }
 
-// { { joints = {…}, length, tension, shear }, …; tension, shear: lengths of them all }; bonds that failed, by cracks that
-// hang together, the first joint's first.
+// { { joints = {…}, length, tension, shear }, …; tension, shear: lengths of them all }; bonds that failed, by cracks
+// that hang together, the first joint's first.
 void push_cracks(lua_State* L, const Model& model) {
   const std::vector<int> crack_at_node = cracks_at_nodes(model);
   std::vector<std::vector<int>> joints(crack_at_node.size());

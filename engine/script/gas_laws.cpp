@@ -19,24 +19,23 @@ namespace {
 // A function whose result lies in [0, most]; its faults end the run. It gets the first numbers, which messages
 // show, and those of the chamber, of which lib/talus/gas.lua makes the table that the script sees.
 using NumberLaw = std::function<double(std::initializer_list<double>, const GasMoment&)>;
-NumberLaw number_law(
-    const LuaFunction& law, const Place& place, const std::string& label, const char* argument, double most,
-    const char* expected) {
+NumberLaw number_law(const LuaFunction& law, const Place& place, const std::string& label, const char* argument,
+                     double most, const char* expected) {
   return [=](std::initializer_list<double> numbers, const GasMoment& m) {
     const char* const names[] = {argument};
     std::vector<double> arguments(numbers);
     arguments.insert(arguments.end(), {m.volume, m.first_volume, m.pressure, m.front});
     LawResult result = call_law(law, names, arguments);
     if (result.problem.empty() && !(result.value >= 0 && result.value <= most))
-      result.problem = std::string("at ") + argument + " = " + std::to_string(arguments[0]) + ": expected " +
-                       expected + ", got " + std::to_string(result.value);
+      result.problem = std::string("at ") + argument + " = " + std::to_string(arguments[0]) + ": expected " + expected +
+                       ", got " + std::to_string(result.value);
     if (!result.problem.empty()) throw LawError(place.text() + ": " + label + ": " + result.problem);
     return result.value;
   };
 }
 
-// A function is declared for v >= 1. Where rock has closed in on the gas, and where a solver tries volumes that no step comes to, it
-// has the pressure that it has at 1.
+// A function is declared for v >= 1. Where rock has closed in on the gas, and where a solver tries volumes that no step
+// comes to, it has the pressure that it has at 1.
 void read_eos(const NumberLaw& eos, Charge& c) {
   const auto pressure = [eos](double v, const GasMoment& m) { return eos({v > 1 ? v : 1, m.t}, m); };
   c.law.pressure = pressure;
@@ -45,7 +44,8 @@ void read_eos(const NumberLaw& eos, Charge& c) {
     const double most = pressure(less, m), found = pressure(more, m);
     if (found <= most * (1 + 1e-9)) return;
     char text[200];
-    std::snprintf(text, sizeof text, "at v = %g, t = %g at most that at v = %g, %.6g (Pa), got %.6g", more, m.t, less, most, found);
+    std::snprintf(text, sizeof text, "at v = %g, t = %g at most that at v = %g, %.6g (Pa), got %.6g", more, m.t, less,
+                  most, found);
     throw LawError(place.text() + ": charge.eos: expected a pressure that falls as the gas expands: " + text);
   };
 }
@@ -110,16 +110,14 @@ Charge read_charge(const TableReader& t) {
   });
   lua_State* L = t.state();
   constexpr double no_bound = 1e300;
-  const auto law = [&](const char* key, const char* label, const char* argument, double most,
-                       const char* expected) {
+  const auto law = [&](const char* key, const char* label, const char* argument, double most, const char* expected) {
     NumberLaw found;
     if (!t.push(key)) return found;
     found = number_law(LuaFunction(L, -1), c.place, label, argument, most, expected);
     lua_pop(L, 1);
     return found;
   };
-  if (const auto eos = law("eos", "charge.eos", "v", no_bound, "a pressure >= 0 (Pa)"))
-    read_eos(eos, c);
+  if (const auto eos = law("eos", "charge.eos", "v", no_bound, "a pressure >= 0 (Pa)")) read_eos(eos, c);
   t.with("law", [&](const TableReader& l) { c.law = ready_made(l); });
   t.read("speed", c.constant_speed);
   c.gas_speed = [constant = c.constant_speed.value_or(0)](const GasMoment&) { return constant; };

@@ -32,7 +32,8 @@ void push_reached(lua_State* L, const Model& model, const Reach& reach) {
 }
 
 int chamber_set(lua_State* L) {
-  refuse(L, "sim.charges[…]." + std::string(luaL_tolstring(L, 2, nullptr)) + " cannot be set: a chamber can only be read");
+  refuse(L,
+         "sim.charges[…]." + std::string(luaL_tolstring(L, 2, nullptr)) + " cannot be set: a chamber can only be read");
 }
 
 int chamber_next(lua_State* L) {
@@ -49,7 +50,8 @@ int chamber_pairs(lua_State* L) {
   return 3;
 }
 
-// In place of the table on the top: one through which it can be read only, as what is set in a copy would change nothing.
+// In place of the table on the top: one through which it can be read only, as what is set in a copy would change
+// nothing.
 void make_read_only(lua_State* L) {
   lua_newtable(L);
   lua_createtable(L, 0, 4);
@@ -79,8 +81,10 @@ std::vector<std::string> early_venting(const Simulation& simulation) {
     if (went_off == events.end()) continue;
     const Vec2 at = e.at + simulation.model.origin;
     char text[200];
-    std::snprintf(text, sizeof text, " vents in the step in which it goes off, at t = %g s: its hole is open to the free surface at (%g, %g)",
-                  went_off->time, at.x(), at.y());
+    std::snprintf(
+        text, sizeof text,
+        " vents in the step in which it goes off, at t = %g s: its hole is open to the free surface at (%g, %g)",
+        went_off->time, at.x(), at.y());
     notes.push_back("charge \"" + charge_of(simulation, went_off->wall) + '"' + text);
   }
   return notes;
@@ -92,7 +96,10 @@ int push_gas_events(lua_State* L, const Simulation& simulation) {
   for (size_t k = 0; k < events.size(); ++k) {
     const GasEvent& e = events[k];
     lua_createtable(L, 0, 9);
-    set_text(L, "kind", e.kind == GasEventKind::detonation ? "detonation" : e.kind == GasEventKind::venting ? "venting" : "merging");
+    set_text(L, "kind",
+             e.kind == GasEventKind::detonation ? "detonation"
+             : e.kind == GasEventKind::venting  ? "venting"
+                                                : "merging");
     set_text(L, "charge", charge_of(simulation, e.wall));
     if (e.kind == GasEventKind::venting) {
       set_text(L, "by", e.collar ? "stemming" : "surface");

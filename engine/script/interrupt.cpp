@@ -8,24 +8,24 @@
 #include <cstring>
 #include <string>
 
-#include "step/clock.h"
 #include "script/lua_error.h"
+#include "step/clock.h"
 
 namespace talus {
 namespace {
 
-constexpr int patience = 30;  // s, from the end of the time to that of the process
+constexpr int patience = 30;              // s, from the end of the time to that of the process
 constexpr double patience_with_laws = 2;  // s
 
 volatile std::sig_atomic_t signal_seen = 0;
 lua_State* volatile running = nullptr;
 bool held = false, law_left = false;
-double law_ends = 0;  // s, of the clock, for a law that goes on after a signal; 0: none did yet
+double law_ends = 0;               // s, of the clock, for a law that goes on after a signal; 0: none did yet
 double grace = 0, grace_ends = 0;  // s; of the clock, 0: nothing came yet
 std::string time_reason, last_words;
 int time_status = 0;
 bool time_limited = false;
-volatile std::sig_atomic_t rung = 0;  // the clock
+volatile std::sig_atomic_t rung = 0;                     // the clock
 struct sigaction before_int, before_term, before_alarm;  // handlers of the program that the run is in
 
 std::string signal_text() {

@@ -1,7 +1,8 @@
 #pragma once
-// What stops a run from outside: SIGINT, SIGTERM, the end of its time (--limit time=…). The step in progress is finished, or,
-// where it looks for equilibrium, left at the next solve and undone; then the script is left wherever it is. A second signal
-// ends the process at once, and so does the clock where half a minute later neither step nor script has come to an end.
+// What stops a run from outside: SIGINT, SIGTERM, the end of its time (--limit time=…). The step in progress is
+// finished, or, where it looks for equilibrium, left at the next solve and undone; then the script is left wherever it
+// is. A second signal ends the process at once, and so does the clock where half a minute later neither step nor script
+// has come to an end.
 #include <lua.hpp>
 #include <string>
 
@@ -9,8 +10,8 @@ namespace talus {
 
 class Interrupts {
  public:
-  // One at a time; the handlers that were there before come back with its end. With `grace`, s, the script has so long to
-  // come to its next step by itself: what it notes down of the last one is then complete when the state is saved.
+  // One at a time; the handlers that were there before come back with its end. With `grace`, s, the script has so long
+  // to come to its next step by itself: what it notes down of the last one is then complete when the state is saved.
   explicit Interrupts(lua_State* L, double grace = 0);
   ~Interrupts();
   Interrupts(const Interrupts&) = delete;
@@ -49,8 +50,8 @@ class RunningCoroutine {
   lua_State* before_;
 };
 
-// A function of the script that is called from inside a step. After a signal it has two seconds; one that goes on is left, and the step
-// with it, of which nothing can be saved.
+// A function of the script that is called from inside a step. After a signal it has two seconds; one that goes on is
+// left, and the step with it, of which nothing can be saved.
 class RunningLaw {
  public:
   explicit RunningLaw(lua_State* L);

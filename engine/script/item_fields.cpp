@@ -41,7 +41,8 @@ const ShownField block_shown[] = {
      [](lua_State* L, const Model& m, int id) { push_text(L, m.scene.regions[m.shapes[id].region].name); }},
     {"material", "name of its material",
      [](lua_State* L, const Model& m, int id) { push_text(L, m.material(id).name); }},
-    {"vertices", "corners now, list of {x, y} (m); of one of second order, where anything may touch, with the middles of its edges, and more of slender ones",
+    {"vertices",
+     "corners now, list of {x, y} (m); of one of second order, where anything may touch, with the middles of its edges, and more of slender ones",
      [](lua_State* L, const Model& m, int id) {
        lua_createtable(L, m.vertex_count(id), 0);
        for (int k = 0; k < m.vertex_count(id); ++k) {
@@ -163,8 +164,9 @@ namespace {
 
 // What other programs call it, where that is here under another name: nearer than what is spelled alike.
 std::string usual_name(const std::string& name, const std::vector<std::string>& known) {
-  constexpr std::pair<const char*, const char*> usual[] = {{"vx", "velocity"}, {"vy", "velocity"}, {"v", "velocity"}, {"speed", "velocity"}, {"omega", "spin"},
-                                                           {"angle", "rotation"}, {"sx", "sxx"}, {"sy", "syy"}, {"x", "centroid"}, {"y", "centroid"}};
+  constexpr std::pair<const char*, const char*> usual[] = {
+      {"vx", "velocity"},    {"vy", "velocity"}, {"v", "velocity"}, {"speed", "velocity"}, {"omega", "spin"},
+      {"angle", "rotation"}, {"sx", "sxx"},      {"sy", "syy"},     {"x", "centroid"},     {"y", "centroid"}};
   for (const auto& [theirs, ours] : usual)
     if (name == theirs && std::find(known.begin(), known.end(), ours) != known.end()) return ours;
   return name;

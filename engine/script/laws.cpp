@@ -134,7 +134,8 @@ std::function<double(double, double)> damping_law(const LuaFunction& law, const 
     const double arguments[] = {speed, dt};
     LawResult result = call_law(law, names, arguments);
     if (result.problem.empty() && !(result.value >= 0 && result.value <= 1))
-      result.problem = arguments_text(names, arguments) + ": expected a number in [0, 1], got " + number_text(result.value);
+      result.problem =
+          arguments_text(names, arguments) + ": expected a number in [0, 1], got " + number_text(result.value);
     if (!result.problem.empty()) throw LawError(place.text() + ": numerics.damping: " + result.problem);
     return result.value;
   };

@@ -47,7 +47,8 @@ std::function<double(double, double)> damping_law(const LuaFunction& law, const 
 // Mesh size fields: f(x, y) > 0. Throws InputError.
 std::function<double(Vec2)> size_law(const LuaFunction& law, const Place& place, const std::string& label);
 
-// f(x, y), one of a few values as messages show them (1, "rigid"): the place of the value in that list. Throws InputError.
+// f(x, y), one of a few values as messages show them (1, "rigid"): the place of the value in that list. Throws
+// InputError.
 std::function<int(Vec2)> choice_law(const LuaFunction& law, const Place& place, const std::string& label,
                                     const std::vector<std::string>& choices);
 

@@ -58,7 +58,8 @@ struct Nothing {
   std::string text;
 } nothing;
 
-// The message with what stands in for a part of Lua that scenes do not have; ours, where it is of an item that there is not.
+// The message with what stands in for a part of Lua that scenes do not have; ours, where it is of an item that there is
+// not.
 std::string instead(lua_State* L, std::string_view message) {
   constexpr std::pair<std::string_view, const char*> missing[] = {
       {"(global 'io')",
@@ -70,13 +71,16 @@ std::string instead(lua_State* L, std::string_view message) {
   for (const auto& [name, advice] : missing)
     if (message.ends_with(name)) return std::string(message) + advice;
   const bool of_nothing = message.find("attempt to index a nil value (field ") != message.npos;
-  return of_nothing && !nothing.text.empty() && user_place(L).text() == nothing.place.text() ? nothing.place.text() + ": " + nothing.text : std::string(message);
+  return of_nothing && !nothing.text.empty() && user_place(L).text() == nothing.place.text()
+             ? nothing.place.text() + ": " + nothing.text
+             : std::string(message);
 }
 
 int message_handler(lua_State* L) {
   if (is_error_object(L, 1)) return 1;
   std::string message = luaL_tolstring(L, 1, nullptr);
-  if (lua_type(L, 1) != LUA_TSTRING && lua_type(L, 1) != LUA_TNUMBER && luaL_getmetafield(L, 1, "__tostring") == LUA_TNIL)
+  if (lua_type(L, 1) != LUA_TSTRING && lua_type(L, 1) != LUA_TNUMBER &&
+      luaL_getmetafield(L, 1, "__tostring") == LUA_TNIL)
     message = user_place(L).text() + ": an error without a text: error(…) was given " +
               (lua_isnil(L, 1) ? "nothing" : std::string("a ") + luaL_typename(L, 1));
   message = instead(L, message);

@@ -3,8 +3,8 @@
 #include <dlfcn.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <string_view>
@@ -202,8 +202,10 @@ std::string library_folder() {
   if (from_environment && *from_environment) return from_environment;
   std::error_code none;
   Dl_info own;  // the file that this code is in: <prefix>/bin/talus, or <prefix>/lib/lua/5.4/talus/engine.so
-  const bool module = dladdr(reinterpret_cast<void*>(&library_folder), &own) && std::string_view(own.dli_fname).ends_with(".so");
-  std::filesystem::path prefix = module ? std::filesystem::canonical(own.dli_fname, none) : std::filesystem::read_symlink("/proc/self/exe", none);
+  const bool module =
+      dladdr(reinterpret_cast<void*>(&library_folder), &own) && std::string_view(own.dli_fname).ends_with(".so");
+  std::filesystem::path prefix =
+      module ? std::filesystem::canonical(own.dli_fname, none) : std::filesystem::read_symlink("/proc/self/exe", none);
   for (int up = module ? 5 : 2; up > 0; --up) prefix = prefix.parent_path();
   const std::filesystem::path beside = prefix / "share/talus/lib";
   return !none && std::filesystem::exists(beside / "talus/init.lua", none) ? beside.string() : TALUS_LUA_PATH;

@@ -12,7 +12,7 @@ namespace talus {
 struct LuaOptions {
   std::size_t memory_cap = std::size_t(1) << 30;  // bytes; a runaway script fails, the machine does not
   bool trust = false;
-  std::string library;                            // empty: the environment's TALUS_LIB, else the built-in path
+  std::string library;  // empty: the environment's TALUS_LIB, else the built-in path
 };
 
 class LuaState {

@@ -78,12 +78,11 @@ int native_create(lua_State* L) {
   lua_gc(L, LUA_GCCOLLECT);  // simulations the script has dropped end here
   const TableReader table(L, 1);
   RunHandlers handlers;
-  for (const auto& [key, handler] :
-       {std::pair{"on_step", &handlers.on_step},
-        {"on_fracture", &handlers.on_fracture},
-        {"on_gas", &handlers.on_gas},
-        {"on_output", &handlers.on_output},
-        {"stop", &handlers.stop}}) {
+  for (const auto& [key, handler] : {std::pair{"on_step", &handlers.on_step},
+                                     {"on_fracture", &handlers.on_fracture},
+                                     {"on_gas", &handlers.on_gas},
+                                     {"on_output", &handlers.on_output},
+                                     {"stop", &handlers.stop}}) {
     if (!table.push(key)) continue;
     handler->emplace(L, -1);
     lua_pop(L, 1);
@@ -107,14 +106,15 @@ int native_explain(lua_State* L) {
   const auto count = lua_Integer(run.simulation.model.joints.size());
   const lua_Integer id = lua_isinteger(L, 2) ? lua_tointeger(L, 2) : item_id(L, 2, run, ViewKind::joints);
   if (id < 1 || id > count)
-    refuse(L, "sim:explain: expected a joint of this simulation or its number, from 1 to " + std::to_string(count) + ", got " +
-                  describe_item(L, 2, run));
+    refuse(L, "sim:explain: expected a joint of this simulation or its number, from 1 to " + std::to_string(count) +
+                  ", got " + describe_item(L, 2, run));
   lua_pushstring(L, explain(run.simulation.model, int(id) - 1).c_str());
   return 1;
 }
 
 // What a simulation has no part for that was made without it.
-void refuse_late(lua_State* L, const Simulation& simulation, const std::string& list, int index, const TableReader& entry) {
+void refuse_late(lua_State* L, const Simulation& simulation, const std::string& list, int index,
+                 const TableReader& entry) {
   const Plan& plan = simulation.plan;
   double restitution = 1, spin = 0;
   bool breaks = false;
@@ -123,13 +123,19 @@ void refuse_late(lua_State* L, const Simulation& simulation, const std::string& 
     entry.read("breaks", breaks);
     const auto bonded = [&](const Joint& joint) { return joint.property == index && joint.bonded; };
     const std::vector<Joint>& joints = simulation.model.joints;
-    if (breaks && !simulation.model.scene.properties[size_t(index)].breaks && std::any_of(joints.begin(), joints.end(), bonded))
-      refuse(L, "joint.tension: expected a joint that had a strength when the simulation was made; give it a large one there, as in tension = 1e12, cohesion = 1e12");
+    if (breaks && !simulation.model.scene.properties[size_t(index)].breaks &&
+        std::any_of(joints.begin(), joints.end(), bonded))
+      refuse(
+          L,
+          "joint.tension: expected a joint that had a strength when the simulation was made; give it a large one there, as in tension = 1e12, cohesion = 1e12");
   }
   if (list == "fixities") entry.read("spin", spin);
   if (restitution < 1 && plan.dynamic && plan.contacts && !plan.restitution)
-    refuse(L, "joint.restitution: expected 1, as no joint of the simulation had one below 1 when it was made; give one of them 0.999 there");
-  if (spin != 0 && !plan.dynamic) refuse(L, "fix.spin: expected 0, as a static run moves what is held but does not turn it");
+    refuse(
+        L,
+        "joint.restitution: expected 1, as no joint of the simulation had one below 1 when it was made; give one of them 0.999 there");
+  if (spin != 0 && !plan.dynamic)
+    refuse(L, "fix.spin: expected 0, as a static run moves what is held but does not turn it");
 }
 
 // update(simulation, list, index, entry): a changed material, joint, fixity or load
@@ -142,7 +148,8 @@ int native_update(lua_State* L) {
   refuse_late(L, run->simulation, luaL_checkstring(L, 2), index, TableReader(L, 4));
   const std::string list = luaL_checkstring(L, 2);
   if (list != "point_loads" && list != "edge_loads") run->simulation.before_change();  // they hold no energy
-  update_scene(model.scene, list, index, TableReader(L, 4), model.time, list == "fixities" ? run->simulation.displacement_until() : run->simulation.change_until());
+  update_scene(model.scene, list, index, TableReader(L, 4), model.time,
+               list == "fixities" ? run->simulation.displacement_until() : run->simulation.change_until());
   model.changed();
   return 0;
 }
@@ -157,9 +164,12 @@ int native_add_check(lua_State* L) {
 // add_result(name, value, unit)
 int native_add_result(lua_State* L) {
   ResultLine result{luaL_checkstring(L, 1), luaL_checkstring(L, 3), 0.0};
-  if (lua_isboolean(L, 2)) result.value = lua_toboolean(L, 2) != 0;
-  else if (lua_type(L, 2) == LUA_TNUMBER) result.value = lua_tonumber(L, 2);
-  else result.value = std::string(luaL_checkstring(L, 2));
+  if (lua_isboolean(L, 2))
+    result.value = lua_toboolean(L, 2) != 0;
+  else if (lua_type(L, 2) == LUA_TNUMBER)
+    result.value = lua_tonumber(L, 2);
+  else
+    result.value = std::string(luaL_checkstring(L, 2));
   Session::of(L).add_result(result);
   return 0;
 }
@@ -201,7 +211,8 @@ int native_fields(lua_State* L) {
   lua_newtable(L);
   lua_newtable(L);
   for (const EnergyTerm& term : energy_terms()) add_field(L, term.name, "J/m", term.meaning);
-  add_field(L, "scale", "J/m", "kinetic and stored energy at the start, or the largest work put in so far if that is more");
+  add_field(L, "scale", "J/m",
+            "kinetic and stored energy at the start, or the largest work put in so far if that is more");
   lua_setfield(L, -2, "energy");
   for (const auto& [name, kind] : {std::pair{"blocks", ViewKind::blocks},
                                    {"joints", ViewKind::joints},

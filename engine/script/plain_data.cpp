@@ -49,11 +49,10 @@ class Packer {
  private:
   [[noreturn]] void refuse(const std::string& path, const std::string& given) {
     const Place place = user_place(L_);  // none where the program itself saves
-    throw ScriptError(ErrorKind::input,
-                      (place.file.empty() ? "" : place.text() + ": ") + path +
-                          ": expected plain data to save (a number, a text, true, false or a table "
-                          "of these), got " +
-                          given);
+    throw ScriptError(ErrorKind::input, (place.file.empty() ? "" : place.text() + ": ") + path +
+                                            ": expected plain data to save (a number, a text, true, false or a table "
+                                            "of these), got " +
+                                            given);
   }
 
   // ".name", "[3]", as one would write it.

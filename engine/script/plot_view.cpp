@@ -54,8 +54,7 @@ Plot read_plot(const TableReader& table) {
 // Where the simulation writes nothing this does not either; `talus plan` makes no results.
 void write(lua_State* L, const std::string& ending, const std::string& content) {
   Run& run = check_simulation(L, 1);
-  if (run.writes())
-    write_whole(run.simulation.model.scene.output.dir + "/" + luaL_checkstring(L, 2) + ending, content);
+  if (run.writes()) write_whole(run.simulation.model.scene.output.dir + "/" + luaL_checkstring(L, 2) + ending, content);
 }
 
 int native_plot(lua_State* L) {

@@ -70,7 +70,8 @@ void prompt(lua_State* L, const std::shared_ptr<Run>& run) {
   luaL_checkstack(L, 20, "the prompt");
   const int top = lua_gettop(L), names = top + 1;
   push_names(L, run);
-  if (isatty(STDIN_FILENO) == 1) std::puts("sim is the simulation: sim:step(), sim.blocks[1].uy; `continue` or Ctrl-D goes on with the script");
+  if (isatty(STDIN_FILENO) == 1)
+    std::puts("sim is the simulation: sim:step(), sim.blocks[1].uy; `continue` or Ctrl-D goes on with the script");
   std::string text;
   for (std::string line; ask(!text.empty()), std::getline(std::cin, line);) {
     throw_if_interrupted();

@@ -128,7 +128,8 @@ bool Run::call_handler(const LuaFunction& handler, const std::function<int(lua_S
     const std::string given = asks && !answers ? describe(L, -1) : "";
     lua_pop(L, 1);
     if (asks && !answers)
-      throw LawError(simulation.model.scene.time.place.text() + ": simulation.stop: expected true, false or nothing to be returned, got " + given);
+      throw LawError(simulation.model.scene.time.place.text() +
+                     ": simulation.stop: expected true, false or nothing to be returned, got " + given);
     return truth;
   } catch (const ScriptError& error) {
     if (error.kind != ErrorKind::input) throw;
@@ -270,8 +271,7 @@ std::string Run::report(const std::string& outcome) const {
 
 void Run::refuse_inside_step(lua_State* L, const std::string& what) const {
   if (phase_ != Phase::stepping) return;
-  throw ScriptError(ErrorKind::input,
-                    user_place(L).text() + ": " + what + " cannot be used inside a step (in a law)");
+  throw ScriptError(ErrorKind::input, user_place(L).text() + ": " + what + " cannot be used inside a step (in a law)");
 }
 
 }  // namespace talus

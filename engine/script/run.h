@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "step/clock.h"
 #include "output/output.h"
 #include "output/state_file.h"
 #include "script/laws.h"
+#include "step/clock.h"
 #include "step/simulation.h"
 
 namespace talus {
@@ -84,7 +84,8 @@ class Run {
   std::uint64_t layout() const;  // of the tables that save() writes
   void check_restart(const Restart& restart) const;
   // Calls it with the simulation and the values that `more` pushes and counts; whether its result is true.
-  bool call_handler(const LuaFunction& handler, const std::function<int(lua_State*)>& more = {}, bool asks = false);  // asks: for true or false
+  // asks: for true or false
+  bool call_handler(const LuaFunction& handler, const std::function<int(lua_State*)>& more = {}, bool asks = false);
 
   RunHandlers handlers_;
   std::weak_ptr<Run> self_;

@@ -92,8 +92,7 @@ int saving_write(lua_State* L) {
 int saving_check_name(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
   if (Session::of(L).trusted()) return 0;
-  if (!stays_here(name))
-    refuse(L, "sim:save: expected " + std::string(allowed_place) + ", got \"" + name + '"');
+  if (!stays_here(name)) refuse(L, "sim:save: expected " + std::string(allowed_place) + ", got \"" + name + '"');
   if (std::filesystem::exists(name) && !is_state_file(name))
     refuse(L, "sim:save: expected a new file or one with a saved state in it, got \"" + name +
                   "\", which is another (--trust overwrites it)");
@@ -174,8 +173,7 @@ int saving_hash(lua_State* L) {
 }  // namespace
 
 void open_saved_view(lua_State* L) {
-  constexpr luaL_Reg functions[] = {
-      {"__tostring", guarded<saved_text>}, {"__gc", saved_collect}, {nullptr, nullptr}};
+  constexpr luaL_Reg functions[] = {{"__tostring", guarded<saved_text>}, {"__gc", saved_collect}, {nullptr, nullptr}};
   luaL_newmetatable(L, saved_metatable);
   luaL_setfuncs(L, functions, 0);
   lua_pushboolean(L, false);

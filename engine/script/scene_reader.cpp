@@ -87,7 +87,9 @@ JointProperty read_property(const TableReader& t) {
   read_enum(t, "bond", {{"exact", BondKind::exact}, {"spring", BondKind::spring}}, p.bond);
   t.read("penalty", p.penalty);
   read_enum(t, "stiffness_kind",
-            {{"length", StiffnessKind::per_length}, {"area", StiffnessKind::per_area}, {"contact", StiffnessKind::per_contact}},
+            {{"length", StiffnessKind::per_length},
+             {"area", StiffnessKind::per_area},
+             {"contact", StiffnessKind::per_contact}},
             p.stiffness_kind);
   t.read("stiffness", p.stiffness);
   t.read("shear_ratio", p.shear_ratio);
@@ -101,7 +103,8 @@ JointProperty read_property(const TableReader& t) {
   t.read("seed", p.seed);
   read_failure_laws(t, p);
   // Contacts carry no tension: what is left of it is for bridges, which have it from a law.
-  if (!p.reduction && p.residual.tension > 0) p.reduction = [left = p.residual](const Strength&, const JointWear&) { return left; };
+  if (!p.reduction && p.residual.tension > 0)
+    p.reduction = [left = p.residual](const Strength&, const JointWear&) { return left; };
   return p;
 }
 
@@ -167,7 +170,8 @@ Region read_region(const TableReader& t) {
   });
   t.read_index("material", r.material);
   t.read_index("joint", r.joint);
-  read_enum(t, "order", {{"rigid", BlockOrder::rigid}, {"first", BlockOrder::first}, {"second", BlockOrder::second}}, r.order);
+  read_enum(t, "order", {{"rigid", BlockOrder::rigid}, {"first", BlockOrder::first}, {"second", BlockOrder::second}},
+            r.order);
   if (t.push("order_law")) {
     const auto choice = choice_law(LuaFunction(t.state(), -1), r.place, "region.order", {"1", "2", "\"rigid\""});
     r.order_at = [choice](Vec2 p) {
@@ -282,7 +286,8 @@ Numerics read_numerics(const TableReader& t) {
   t.read("threads", n.threads);
   t.read("islands", n.islands);
   t.read("sleeping", n.sleeping);
-  read_enum(t, "solver", {{"auto", ContactSolver::automatic}, {"factor", ContactSolver::factor}, {"sweeps", ContactSolver::sweeps}},
+  read_enum(t, "solver",
+            {{"auto", ContactSolver::automatic}, {"factor", ContactSolver::factor}, {"sweeps", ContactSolver::sweeps}},
             n.solver);
   t.read("recovery", n.recovery);
   return n;
@@ -354,7 +359,8 @@ void come_from(const std::array<History, 2>& before, std::array<History, 2>& now
 
 }  // namespace
 
-void update_scene(Scene& scene, const std::string& list, int index, const TableReader& entry, double time, double until) {
+void update_scene(Scene& scene, const std::string& list, int index, const TableReader& entry, double time,
+                  double until) {
   const auto i = static_cast<std::size_t>(index);
   if (list == "materials") {
     scene.materials.at(i) = read_material(entry);
@@ -364,7 +370,8 @@ void update_scene(Scene& scene, const std::string& list, int index, const TableR
     Fixity changed = read_fixity(entry);
     changed.gone = scene.fixities.at(i).moved(time);
     changed.since = time;
-    if (changed.motion == Fixity::displacement) come_from({changed.gone.x(), changed.gone.y()}, changed.value, time, until);
+    if (changed.motion == Fixity::displacement)
+      come_from({changed.gone.x(), changed.gone.y()}, changed.value, time, until);
     scene.fixities.at(i) = std::move(changed);
   } else if (list == "point_loads") {
     PointLoad changed = read_point_load(entry);

@@ -11,7 +11,9 @@ Scene read_scene(const TableReader& scene);
 
 // Reads one changed entry of a list of the scene again: `list` is "materials", "properties", "fixities",
 // "point_loads" or "edge_loads".
-// A changed load or support comes from what it was at `time` to what it is at `until` (s), if that is later; else at once.
-void update_scene(Scene& scene, const std::string& list, int index, const TableReader& entry, double time, double until);
+// A changed load or support comes from what it was at `time` to what it is at `until` (s), if that is later; else at
+// once.
+void update_scene(Scene& scene, const std::string& list, int index, const TableReader& entry, double time,
+                  double until);
 
 }  // namespace talus

@@ -91,8 +91,8 @@ int Session::execute() {
     if (status != exit_ok) fail(error.what());
   }
   if (options_.estimate && status == exit_ok) status = estimate();
-  // Functions of the script are called for the last results, and may let Lua collect a simulation: see release(). Models
-  // hold such functions, so that they go before the state does.
+  // Functions of the script are called for the last results, and may let Lua collect a simulation: see release().
+  // Models hold such functions, so that they go before the state does.
   while (!runs_.empty()) finish(*take(runs_.begin()), outcome);
   write_inputs();
   end_time_limit();
@@ -162,9 +162,8 @@ void Session::run_script(lua_State* L) {
   }
   if (restart_ && restart_->saved.simulation > runs_made_) {
     throw ScriptError(ErrorKind::input, "--restart: expected a state of one of the " + std::to_string(runs_made_) +
-                                            " simulations that " + options_.script + " makes, got \"" +
-                                            restart_->file + "\", which is of simulation " +
-                                            std::to_string(restart_->saved.simulation));
+                                            " simulations that " + options_.script + " makes, got \"" + restart_->file +
+                                            "\", which is of simulation " + std::to_string(restart_->saved.simulation));
   }
   if (options_.plan_only) return;
   for (const auto& run : std::vector(runs_)) {
@@ -248,7 +247,8 @@ void Session::write_inputs() const {
 
 std::shared_ptr<Run> Session::add_run(Scene scene, RunHandlers handlers) {
   if (finishing_)
-    throw InputError(scene.time.place, "simulation", "to be made by the script", "one made while the last results of another are written");
+    throw InputError(scene.time.place, "simulation", "to be made by the script",
+                     "one made while the last results of another are written");
   check_parameters();
   if (options_.parameters_only) throw ScriptError(ErrorKind::planned, "the parameters are known");
   if (options_.on_study)
@@ -262,7 +262,8 @@ std::shared_ptr<Run> Session::add_run(Scene scene, RunHandlers handlers) {
   auto run = Run::create(std::move(scene), std::move(handlers), settings);
   if (checkpoints_) checkpoints_->check_place(*run);
   ++runs_made_;
-  if (const std::string& dir = run->simulation.model.scene.output.dir; !dir.empty()) output_dirs_.insert(folder_name(dir));
+  if (const std::string& dir = run->simulation.model.scene.output.dir; !dir.empty())
+    output_dirs_.insert(folder_name(dir));
   std::vector<std::string>& notes = run->simulation.notes;
   notes.insert(notes.begin(), notes_.begin(), notes_.end());
   notes_.clear();
@@ -329,10 +330,10 @@ void Session::check_parameters() const {
   for (const auto& [name, value] : options_.parameters) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const std::string near = nearest(name, names);
-    throw ScriptError(ErrorKind::input,
-                      "-p " + name + "=" + value + ": " + options_.script + " has no such parameter" +
-                          (near.empty() ? "" : "; did you mean \"" + near + "\"?") +
-                          "; before its first simulation it declares" + (table.empty() ? " none" : table));
+    throw ScriptError(ErrorKind::input, "-p " + name + "=" + value + ": " + options_.script + " has no such parameter" +
+                                            (near.empty() ? "" : "; did you mean \"" + near + "\"?") +
+                                            "; before its first simulation it declares" +
+                                            (table.empty() ? " none" : table));
   }
 }
 

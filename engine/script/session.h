@@ -35,19 +35,15 @@ struct SessionOptions {
   // simulation when it is over, in the order of their ends.
   std::function<void(const std::string& message)> on_failure{};
   std::function<void(const Run&, const std::string& report)> on_end{};
-  std::string inputs_file{};           // --inputs: where the list of the files that the script was made of goes
-  bool parameters_only = false;        // talus parameters: the script is left at its first simulation, and prints nothing
+  std::string inputs_file{};  // --inputs: where the list of the files that the script was made of goes
+  // talus parameters: the script is left at its first simulation, and prints nothing
+  bool parameters_only = false;
   // talus sweep: the script is a study; its flat table (lib/talus/study) is on the top of the stack.
   std::function<void(lua_State*, const std::string& library)> on_study{};
 };
 
 // Exit status of the program.
-enum ExitStatus {
-  exit_ok = 0,
-  exit_check_failed = 1,
-  exit_bad_input = 2,
-  exit_run_stopped = 3
-};  // signals: 128 + n
+enum ExitStatus { exit_ok = 0, exit_check_failed = 1, exit_bad_input = 2, exit_run_stopped = 3 };  // signals: 128 + n
 
 struct DeclaredParameter {
   std::string name, meaning;  // "= 20  (friction angle, degrees)"
@@ -70,8 +66,8 @@ class Session {
   void add_result(const ResultLine& result);
   void add_study(lua_State* L, int index);
   void add_note(const std::string& note) { notes_.push_back(note); }  // of the next run that is made
-  std::string folder() const;  // of the script
-  const std::string* parameter(const DeclaredParameter& parameter);  // null: not given
+  std::string folder() const;                                         // of the script
+  const std::string* parameter(const DeclaredParameter& parameter);   // null: not given
   const std::vector<DeclaredParameter>& declared() const { return known_parameters_; }
   bool trusted() const { return options_.trust; }
   bool plan_only() const { return options_.plan_only; }
@@ -88,11 +84,11 @@ class Session {
   std::string output_dir(const std::string& wanted, const Place& place);
   void finish(Run& run, const std::string& outcome);
   std::shared_ptr<Run> take(std::vector<std::shared_ptr<Run>>::iterator at);  // out of runs_
-  void fail(const std::string& message);  // the one that is told
+  void fail(const std::string& message);                                      // the one that is told
 
   SessionOptions options_;
-  lua_State* L_ = nullptr;  // while the script runs
-  std::string library_;     // its folder
+  lua_State* L_ = nullptr;                  // while the script runs
+  std::string library_;                     // its folder
   std::vector<std::shared_ptr<Run>> runs_;  // made and not released
   bool finishing_ = false;                  // results are being ended
   std::weak_ptr<Run> latest_;

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "equations/error_estimate.h"
-#include "script/laws.h"
-#include "script/lua_error.h"
-#include "script/nearest.h"
-#include "script/saved_view.h"
 #include "script/fracture_view.h"
 #include "script/gas_view.h"
+#include "script/laws.h"
+#include "script/lua_error.h"
 #include "script/lua_fields.h"
+#include "script/nearest.h"
+#include "script/saved_view.h"
 #include "script/session.h"
 #include "script/table_view.h"
 #include "step/energy_terms.h"
@@ -164,8 +164,7 @@ void register_value(lua_State* L, const char* key, const Run* run) {
 // kept waiting for the program.
 const Handle& steppable(lua_State* L, const char* what) {
   const Handle& run = check_handle(L, 1);
-  if (run->phase() != Run::Phase::idle)
-    refuse(L, std::string("sim:") + what + " inside a step, a handler or a law");
+  if (run->phase() != Run::Phase::idle) refuse(L, std::string("sim:") + what + " inside a step, a handler or a law");
   if (Session::of(L).plan_only()) throw ScriptError(ErrorKind::planned, "planned");
   lua_pushnil(L);
   register_value(L, waiting_key, run.get());

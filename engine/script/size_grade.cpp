@@ -14,8 +14,7 @@ double distance(const SizeGrade::Source& source, const Vec2& point) {
   for (std::size_t i = 0; i + 1 < source.points.size(); ++i) {
     least = std::min(least, distance_to_segment(source.points[i], source.points[i + 1], point));
   }
-  if (source.closed)
-    least = std::min(least, distance_to_segment(source.points.back(), source.points.front(), point));
+  if (source.closed) least = std::min(least, distance_to_segment(source.points.back(), source.points.front(), point));
   return least;
 }
 

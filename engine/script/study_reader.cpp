@@ -5,11 +5,11 @@
 #include <memory>
 #include <sstream>
 
-#include "step/clock.h"
 #include "output/text.h"
 #include "script/laws.h"
 #include "script/lua_error.h"
 #include "script/table_reader.h"
+#include "step/clock.h"
 
 namespace talus {
 namespace {
@@ -39,8 +39,8 @@ Cell cell_at(lua_State* L, int index) {
   return {text ? text : ""};
 }
 
-// A sweep takes its signals when it asks for them: one that has come, or waits to be taken, stops a function that does not
-// come to its end.
+// A sweep takes its signals when it asks for them: one that has come, or waits to be taken, stops a function that does
+// not come to its end.
 constexpr double collect_patience = 1;  // s
 double collecting_since = 0;            // s of the clock
 bool (*stop_asked)() = nullptr;         // of the sweep
@@ -158,7 +158,8 @@ Study read_study(lua_State* L, const std::string& script, const std::string& lib
   table.push("collect");
   const auto function = std::make_shared<LuaFunction>(L, -1);
   lua_pop(L, 1);
-  study.collect = [L, function, columns = study.columns.size()](std::size_t run, const std::string& folder, bool (*asked)()) {
+  study.collect = [L, function, columns = study.columns.size()](std::size_t run, const std::string& folder,
+                                                                bool (*asked)()) {
     return collect(L, *function, columns, run, folder, asked);
   };
   return study;

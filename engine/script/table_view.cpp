@@ -146,7 +146,8 @@ int view_index_by_name(lua_State* L, const TableView& view, const std::string& n
   }
   if (view.kind != ViewKind::probes) {
     const std::string list = std::string("sim.") + item_word(view.kind) + "s", near = nearest(name, known);
-    const std::string hint = near.empty() ? "; they go by number, " + list + "[1], or by " + list + ":where { … }" : suggestion(name, known);
+    const std::string hint =
+        near.empty() ? "; they go by number, " + list + "[1], or by " + list + ":where { … }" : suggestion(name, known);
     refuse(L, list + " has no \"" + name + '"' + hint);
   }
   known.clear();
@@ -161,9 +162,10 @@ int view_index(lua_State* L) {
   const lua_Integer id = lua_tointegerx(L, 2, &exact), count = view.count();
   const bool inside = exact && id >= 1 && id <= count;
   if (inside) return push_item(L, view.run, view.kind, static_cast<int>(id - 1)), 1;
-  const std::string text = std::string("sim.") + item_word(view.kind) + "s: expected a number " +
-                           (count > 0 ? "from 1 to " + std::to_string(count) : std::string("of one that is there, there is none")) +
-                           ", got " + describe(L, 2);
+  const std::string text =
+      std::string("sim.") + item_word(view.kind) + "s: expected a number " +
+      (count > 0 ? "from 1 to " + std::to_string(count) : std::string("of one that is there, there is none")) +
+      ", got " + describe(L, 2);
   if (!exact || id != count + 1) refuse(L, text);
   note_nothing(L, text);
   lua_pushnil(L);  // where ipairs stops
@@ -221,7 +223,8 @@ int item_set(lua_State* L) {
   item.run->refuse_inside_step(L, label + " = …");
   Model& model = item.run->simulation.model;
   BlockState& block = model.blocks[item.id];
-  if (model.shapes[item.id].dofs == 0) refuse(L, label + ": expected a block that can move, got one that is held; a talus.fix moves it");
+  if (model.shapes[item.id].dofs == 0)
+    refuse(L, label + ": expected a block that can move, got one that is held; a talus.fix moves it");
   if (name == "velocity" && !lua_istable(L, 3)) refuse(L, label + ": expected {vx, vy}, got " + describe(L, 3));
   auto velocity = block.velocity;
   if (name == "spin") {
@@ -290,7 +293,8 @@ int item_id(lua_State* L, int index, const Run& run, ViewKind kind) {
 std::string describe_item(lua_State* L, int index, const Run& run) {
   const auto* item = static_cast<ItemView*>(luaL_testudata(L, index, item_metatable));
   if (!item) return describe(L, index);
-  return std::string(item_word(item->kind)) + " " + std::to_string(item->id + 1) + (item->run.get() == &run ? "" : " of another simulation");
+  return std::string(item_word(item->kind)) + " " + std::to_string(item->id + 1) +
+         (item->run.get() == &run ? "" : " of another simulation");
 }
 
 }  // namespace talus

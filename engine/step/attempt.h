@@ -15,7 +15,8 @@ namespace talus {
 class Attempt {
  public:
   // `contacts`: where those of what is awake are kept meanwhile, the same memory for every attempt.
-  Attempt(Model& model, const Plan& plan, Ledger& ledger, ContactSearch& search, std::vector<Contact>& contacts, Fracture* fracture)
+  Attempt(Model& model, const Plan& plan, Ledger& ledger, ContactSearch& search, std::vector<Contact>& contacts,
+          Fracture* fracture)
       : model_(model), ledger_(ledger), before_(ledger), search_(search), contacts_(contacts), fracture_(fracture) {
     if (plan.contacts) contacts_.assign(model.contacts.begin() + model.sleeping_contacts, model.contacts.end());
     for (const int b : model.held_blocks) held_.emplace_back(b, model.blocks[b].velocity);

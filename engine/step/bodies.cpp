@@ -4,7 +4,8 @@
 
 namespace talus {
 
-std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& blocks, const std::vector<int>& body_of, size_t count) {
+std::vector<Body> bodies_of(const Model& model, const std::vector<BlockState>& blocks, const std::vector<int>& body_of,
+                            size_t count) {
   std::vector<Body> bodies(count);
   for (size_t b = 0; b < blocks.size(); ++b) {
     if (body_of[b] < 0) continue;

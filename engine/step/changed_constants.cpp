@@ -30,7 +30,9 @@ void between(const Of& from, double part, Of& to, Fields Of::*... fields) {
 
 }  // namespace
 
-Constants constants_of(const Scene& scene) { return {scene.materials, scene.properties}; }
+Constants constants_of(const Scene& scene) {
+  return {scene.materials, scene.properties};
+}
 
 ConstantsWay::ConstantsWay(const Model& model, const Constants& before, double ends)
     : from_(before), to_(constants_of(model.scene)), begins_(model.time), ends_(ends) {}
@@ -39,10 +41,13 @@ void ConstantsWay::go(Model& model, double time) const {
   Constants there = to_;
   if (time < ends_) {
     const double part = (time - begins_) / (ends_ - begins_);
-    for (size_t m = 0; m < to_.materials.size(); ++m) between(from_.materials[m], part, there.materials[m], &Material::density, &Material::young, &Material::poisson);
+    for (size_t m = 0; m < to_.materials.size(); ++m)
+      between(from_.materials[m], part, there.materials[m], &Material::density, &Material::young, &Material::poisson);
     for (size_t p = 0; p < to_.properties.size(); ++p) {
-      between(from_.properties[p], part, there.properties[p], &JointProperty::friction, &JointProperty::cohesion, &JointProperty::penalty, &JointProperty::shear_ratio);
-      if (from_.properties[p].stiffness_kind == to_.properties[p].stiffness_kind) between(from_.properties[p], part, there.properties[p], &JointProperty::stiffness);
+      between(from_.properties[p], part, there.properties[p], &JointProperty::friction, &JointProperty::cohesion,
+              &JointProperty::penalty, &JointProperty::shear_ratio);
+      if (from_.properties[p].stiffness_kind == to_.properties[p].stiffness_kind)
+        between(from_.properties[p], part, there.properties[p], &JointProperty::stiffness);
     }
   }
   model.scene.materials = std::move(there.materials);
@@ -57,19 +62,25 @@ WithConstants::WithConstants(const Model& as_it_is, const Constants& constants) 
   supports.prepare(model, joints.ground_stiffness());
 }
 
-double WithConstants::stored() const { return strain_energy(model, joints, supports, 0); }
+double WithConstants::stored() const {
+  return strain_energy(model, joints, supports, 0);
+}
 
 ConstantsBooking::ConstantsBooking(const Model& model, const Constants& before, const std::vector<Vec2>& moved)
     : before_(before), blocks_(model.blocks), moved_(moved) {}
 
-// With D = ½ u·(K₁ - K₀)u, which is what the change adds to the energy stored at u: 2 D((u₀ + u₁)/2) - (D(u₀) + D(u₁))/2.
+// With D = ½ u·(K₁ - K₀)u, which is what the change adds to the energy stored at u: 2 D((u₀ + u₁)/2) - (D(u₀) +
+// D(u₁))/2.
 double ConstantsBooking::work(const Model& model, const std::vector<Vec2>& moved) const {
   WithConstants now(model, constants_of(model.scene)), then(model, before_);
   const auto added = [&](double part) {  // of the way from the start of the load step
     for (WithConstants* rock : {&now, &then}) {
       for (size_t b = 0; b < blocks_.size(); ++b)
-        rock->model.blocks[b] = part == 0 ? blocks_[b] : part == 1 ? model.blocks[b] : middle(blocks_[b], model.blocks[b]);
-      for (size_t f = 0; f < moved.size(); ++f) displace(rock->model.scene.fixities[f], (1 - part) * moved_[f] + part * moved[f]);
+        rock->model.blocks[b] = part == 0   ? blocks_[b]
+                                : part == 1 ? model.blocks[b]
+                                            : middle(blocks_[b], model.blocks[b]);
+      for (size_t f = 0; f < moved.size(); ++f)
+        displace(rock->model.scene.fixities[f], (1 - part) * moved_[f] + part * moved[f]);
     }
     return now.stored() - then.stored();
   };

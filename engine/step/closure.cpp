@@ -11,12 +11,18 @@ namespace talus {
 
 namespace {
 
-bool pushes(const Contact& c) { return c.normal_force != 0 || c.shear_force != 0; }
+bool pushes(const Contact& c) {
+  return c.normal_force != 0 || c.shear_force != 0;
+}
 
 }  // namespace
 
 Closure::Closure(const Model& model, const JointTerms& bonds, const std::vector<int>& joints)
-    : bonds_(bonds), vertex_(model.vertex), blocks_(model.blocks), stored_(contact_energy(model.contacts)), virials_(virials(model, joints)) {
+    : bonds_(bonds),
+      vertex_(model.vertex),
+      blocks_(model.blocks),
+      stored_(contact_energy(model.contacts)),
+      virials_(virials(model, joints)) {
   for (const int j : joints) before_.push_back({j, model.joints[j].points, fluxes(model, j)});
   for (const Contact& c : model.contacts)
     if (pushes(c)) pushed_.push_back({c, contact_push(model, c), foot(model, c)});
@@ -35,14 +41,15 @@ double Closure::work(const Model& model, double friction) const {
   return sum;
 }
 
-// Σ f·r of all forces on a block, by its equilibrium in strain: A tr σ of its stress and of what the jumps of its bonds, and of those that have just `failed`, strain it by.
-// Of a rigid block by its bonds and contacts.
+// Σ f·r of all forces on a block, by its equilibrium in strain: A tr σ of its stress and of what the jumps of its
+// bonds, and of those that have just `failed`, strain it by. Of a rigid block by its bonds and contacts.
 std::vector<double> Closure::virials(const Model& model, const std::vector<int>& failed) const {
   std::vector<double> virials(model.shapes.size(), 0);
   const auto rigid = [&](int block) { return model.shapes[size_t(block)].dofs == rigid_dofs; };
   const auto strained = [&](int block, const Vec3& strain) {
     const BlockShape& shape = model.shapes[size_t(block)];
-    if (shape.dofs > rigid_dofs) virials[size_t(block)] += shape.area * (elasticity(model.material(block)) * strain).head<2>().sum();
+    if (shape.dofs > rigid_dofs)
+      virials[size_t(block)] += shape.area * (elasticity(model.material(block)) * strain).head<2>().sum();
   };
   const auto pushed = [&](int block, const Vec2& force, const Vec2& at) {
     if (rigid(block)) virials[size_t(block)] += force.dot(at - model.blocks[size_t(block)].centroid);
@@ -73,12 +80,13 @@ std::vector<double> Closure::virials(const Model& model, const std::vector<int>&
   return virials;
 }
 
-// A block that turns by φ is strained in its own axes: of the work of all forces on it ½ (1 - cos φ) (Σ f·r after - before) is of its turn alone
-// (docs/theory.md, § 12).
+// A block that turns by φ is strained in its own axes: of the work of all forces on it ½ (1 - cos φ) (Σ f·r after -
+// before) is of its turn alone (docs/theory.md, § 12).
 double Closure::of_turns(const Model& model) const {
   const std::vector<double> now = virials(model, {});
   double sum = 0;
-  for (size_t b = 0; b < now.size(); ++b) sum += (1 - std::cos(model.blocks[b].angle - blocks_[b].angle)) / 2 * (now[b] - virials_[b]);
+  for (size_t b = 0; b < now.size(); ++b)
+    sum += (1 - std::cos(model.blocks[b].angle - blocks_[b].angle)) / 2 * (now[b] - virials_[b]);
   return sum;
 }
 
@@ -86,7 +94,8 @@ Vec2 Closure::foot(const Model& model, const Contact& c) {
   const int end = model.shapes[c.j].vertex_begin + model.next_vertex(c.j, c.edge);
   const Vec2& vertex = model.vertex[size_t(c.global_vertex)];
   const Vec2 from = model.vertex[size_t(c.global_edge)], edge = model.vertex[size_t(end)] - from;
-  const double at = model.curved(c.j) ? model.curved_edge(c.j, c.edge).nearest(vertex) : (vertex - from).dot(edge) / edge.squaredNorm();
+  const double at = model.curved(c.j) ? model.curved_edge(c.j, c.edge).nearest(vertex)
+                                      : (vertex - from).dot(edge) / edge.squaredNorm();
   return (1 - at) * model.reference_vertex[size_t(c.global_edge)] + at * model.reference_vertex[size_t(end)];
 }
 
@@ -102,11 +111,14 @@ double Closure::of_bond(const Model& model, const Before& before) const {
   double sum = 0;
   for (size_t p = 0; p < joint.points.size(); ++p) {
     const JointPoint& then = before.points[p];
-    const BondTraction bridged = from_path(joint, {then.across.traction, then.along.traction});  // its work is the bridge's to book
+    // its work is the bridge's to book
+    const BondTraction bridged = from_path(joint, {then.across.traction, then.along.traction});
     const Vec2 traction = (then.normal - bridged.normal) * normal + (then.shear - bridged.shear) * perp(normal);
-    const Vec2 parted = way(model, joint.b, between(joint.in_b, then.at)) - way(model, joint.a, between(joint.in_a, then.at));
+    const Vec2 parted =
+        way(model, joint.b, between(joint.in_b, then.at)) - way(model, joint.a, between(joint.in_a, then.at));
     sum += then.weight / 2 *
-           (traction.dot(parted) + (flux[p].normal - before.flux[p].normal) * then.opening + (flux[p].shear - before.flux[p].shear) * then.slip);
+           (traction.dot(parted) + (flux[p].normal - before.flux[p].normal) * then.opening +
+            (flux[p].shear - before.flux[p].shear) * then.slip);
   }
   return sum;
 }

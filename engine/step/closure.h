@@ -1,8 +1,9 @@
 #pragma once
-// What the rock gives off on its way from one equilibrium to another that it jumps to, as bonds fail or soften past what they
-// bear. Bodies are elastic, so they give off ∫ t · dg = ½ (t0 + t1) · (g1 - g0) over all jumps g that tractions t act across (the
-// crack closure integral of Irwin 1957, read backwards); contacts and bridges store some of it, friction takes some. Of bonds
-// that fail, t0 is that of the bond, and the change of {σ}n works along the jump it had.
+// What the rock gives off on its way from one equilibrium to another that it jumps to, as bonds fail or soften past
+// what they bear. Bodies are elastic, so they give off ∫ t · dg = ½ (t0 + t1) · (g1 - g0) over all jumps g that
+// tractions t act across (the crack closure integral of Irwin 1957, read backwards); contacts and bridges store some of
+// it, friction takes some. Of bonds that fail, t0 is that of the bond, and the change of {σ}n works along the jump it
+// had.
 #include "equations/joint_terms.h"
 #include "model/model.h"
 
@@ -36,7 +37,7 @@ class Closure {
   const JointTerms& bonds_;
   std::vector<Vec2> vertex_;
   std::vector<BlockState> blocks_;
-  double stored_;  // J/m, by contacts
+  double stored_;                // J/m, by contacts
   std::vector<double> virials_;  // J/m, per block
   std::vector<Before> before_;
   std::vector<Pushed> pushed_;

@@ -17,7 +17,9 @@ constexpr double least_pivot = 1e-10;  // of unknowns that are near one
 constexpr double same = 1e-13;         // ratios that rounding may part
 constexpr int most_pivots = 8;         // times the unknowns: it takes a half of them
 
-double limit_of(const PivotContact& contact, double normal) { return contact.friction * std::max(0.0, normal) + contact.cohesion; }
+double limit_of(const PivotContact& contact, double normal) {
+  return contact.friction * std::max(0.0, normal) + contact.cohesion;
+}
 
 // (N, -T) of all contacts with the states they have.
 Eigen::VectorXd forces_with_states(const Contacts& contacts, const Eigen::MatrixXd& w) {
@@ -62,7 +64,8 @@ bool newton(Contacts& contacts, const Eigen::MatrixXd& w) {
       const bool stuck = own.stuck ? std::abs(shear) <= (1 + 1e-9) * limit_of(own, forces[n])
                                    : std::copysign(1, own.shear) * (slide - shear / own.ks) < 0;
       changed = changed || closed != own.closed || stuck != own.stuck;
-      own.shear = own.stuck ? shear : std::copysign(shear, own.shear);  // the way stays, also where N is below nought meanwhile
+      // the way stays, also where N is below nought meanwhile
+      own.shear = own.stuck ? shear : std::copysign(shear, own.shear);
       own.normal = forces[n];
       own.closed = closed;
       own.stuck = stuck;
@@ -71,7 +74,8 @@ bool newton(Contacts& contacts, const Eigen::MatrixXd& w) {
   return !changed;
 }
 
-// w = M z + q, w ≥ 0, z ≥ 0, wᵀz = 0 by Lemke's complementary pivots. What is in the basis has a row; what is not, a column.
+// w = M z + q, w ≥ 0, z ≥ 0, wᵀz = 0 by Lemke's complementary pivots. What is in the basis has a row; what is not, a
+// column.
 class Lemke {
  public:
   Lemke(const Eigen::MatrixXd& m, const Eigen::VectorXd& q) : count_(int(q.size())), table_(count_, count_ + 2) {
@@ -141,8 +145,9 @@ class Lemke {
   std::vector<int> rows_, columns_;  // w: 0 …, z: count_ …, z0: 2 count_
 };
 
-// Per contact z = (N, l⁺, s⁻) and w = (gap + N/kn, s⁺, l⁻): l⁺ and l⁻ are what T is below the limit and above its negative, s⁺ and s⁻
-// how far it slides either way. T = N tan φ + c - l⁺, l⁺ + l⁻ = 2 (N tan φ + c), slide - T/ks = s⁺ - s⁻.
+// Per contact z = (N, l⁺, s⁻) and w = (gap + N/kn, s⁺, l⁻): l⁺ and l⁻ are what T is below the limit and above its
+// negative, s⁺ and s⁻ how far it slides either way. T = N tan φ + c - l⁺, l⁺ + l⁻ = 2 (N tan φ + c), slide - T/ks = s⁺
+// - s⁻.
 bool lemke(Contacts& contacts, const Eigen::MatrixXd& w) {
   const auto count = Index(contacts.size());
   const double unit = w.diagonal().mean();  // m/N; forces are counted in what moves by a metre
@@ -181,6 +186,8 @@ bool lemke(Contacts& contacts, const Eigen::MatrixXd& w) {
 
 }  // namespace
 
-bool pivot_contacts(Contacts& contacts, const Eigen::MatrixXd& w) { return newton(contacts, w) || lemke(contacts, w); }
+bool pivot_contacts(Contacts& contacts, const Eigen::MatrixXd& w) {
+  return newton(contacts, w) || lemke(contacts, w);
+}
 
 }  // namespace talus

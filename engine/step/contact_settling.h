@@ -1,6 +1,7 @@
 #pragma once
-// What a sweep does at each contact: it gets the forces that meet its law with all others held, and its blocks move by them. Blocks move in
-// axes and units of their own (contact_sweeps.h); all numbers of a block or contact lie in whole registers and lines of the cache.
+// What a sweep does at each contact: it gets the forces that meet its law with all others held, and its blocks move by
+// them. Blocks move in axes and units of their own (contact_sweeps.h); all numbers of a block or contact lie in whole
+// registers and lines of the cache.
 #include <array>
 #include <iterator>
 #include <vector>
@@ -22,8 +23,8 @@ struct alignas(64) Lanes {  // a column of a block's unknowns, filled up with ze
   Eigen::Map<ColumnOf<size>> column() { return Eigen::Map<ColumnOf<size>>(v); }
 };
 
-// Motion of a block under unit forces of a contact, in single precision, for half the memory to go through: it is for what a contact's force
-// changes by, and motions are added up from the forces every few pairs.
+// Motion of a block under unit forces of a contact, in single precision, for half the memory to go through: it is for
+// what a contact's force changes by, and motions are added up from the forces every few pairs.
 template <int size>
 struct alignas(64) SweptMotion {
   float n[(size + 7) / 8 * 8], s[(size + 7) / 8 * 8];
@@ -37,7 +38,8 @@ TALUS_WITHIN const Eight& eight(const Lanes<size>& lanes, size_t k) {
 // motion += dn n - dt s.
 template <int size>
 TALUS_WITHIN void go(const Lanes<size>& n, const Lanes<size>& s, double dn, double dt, Lanes<size>& motion) {
-  for (size_t k = 0; k < std::size(motion.v) / 8; ++k) reinterpret_cast<Eight&>(motion.v[8 * k]) += dn * eight(n, k) - dt * eight(s, k);
+  for (size_t k = 0; k < std::size(motion.v) / 8; ++k)
+    reinterpret_cast<Eight&>(motion.v[8 * k]) += dn * eight(n, k) - dt * eight(s, k);
 }
 
 template <int size>
@@ -58,7 +60,8 @@ TALUS_WITHIN double along(const Lanes<size>& a, const Lanes<size>& x, const Lane
 }
 
 template <int size>
-struct SweptRows {  // gap and slide under unit displacements of both blocks; where a block's matrix is 1, its motion under unit forces
+// gap and slide under unit displacements of both blocks; where a block's matrix is 1, its motion under unit forces
+struct SweptRows {
   Lanes<size> ni, nj, si, sj;
 };
 
@@ -68,13 +71,14 @@ struct SweptContact {
   int rows;             // into the rows
   double gap0, slide0;  // m
   SweptLaw law;
-  double nn, ns, ss;    // m/N: gap and slide under unit forces, without the contact's own compliance
-  int moved_begin, moved_end;  // blocks that it moves, where they are bonded to others; else its own two go along its rows
-  int contact;                 // of the problem
+  double nn, ns, ss;  // m/N: gap and slide under unit forces, without the contact's own compliance
+  // blocks that it moves, where they are bonded to others; else its own two go along its rows
+  int moved_begin, moved_end;
+  int contact;  // of the problem
 };
 
-// Four contacts that move no block in common, which are put right together: one after the other they would wait for each other's arithmetic.
-// What a group is short of is filled up with contacts of nothing.
+// Four contacts that move no block in common, which are put right together: one after the other they would wait for
+// each other's arithmetic. What a group is short of is filled up with contacts of nothing.
 template <int size>
 struct SweptGroup {
   std::array<int, 4> contact, i, j, rows, moved_begin, moved_end;
@@ -99,7 +103,8 @@ struct SweepView {  // all that a sweep over contacts reads and writes
 
 // What a contact moves goes on, under so much more force: the blocks that are listed, or none are and its own two do.
 template <int size>
-TALUS_WITHIN void move(const SweepView<size>& view, int i, int j, int rows, int moved_begin, int moved_end, double dn, double dt) {
+TALUS_WITHIN void move(const SweepView<size>& view, int i, int j, int rows, int moved_begin, int moved_end, double dn,
+                       double dt) {
   if (moved_begin == moved_end) {
     const SweptRows<size>& along = view.rows[rows];
     go(along.ni, along.si, dn, dt, view.motion[i]);
@@ -110,7 +115,9 @@ TALUS_WITHIN void move(const SweepView<size>& view, int i, int j, int rows, int 
 }
 
 // One group after the other, forwards or backwards.
-void settle_all(const SweepView<first_order_dofs>& view, const std::vector<SweptGroup<first_order_dofs>>& groups, bool backwards);
-void settle_all(const SweepView<second_order_dofs>& view, const std::vector<SweptGroup<second_order_dofs>>& groups, bool backwards);
+void settle_all(const SweepView<first_order_dofs>& view, const std::vector<SweptGroup<first_order_dofs>>& groups,
+                bool backwards);
+void settle_all(const SweepView<second_order_dofs>& view, const std::vector<SweptGroup<second_order_dofs>>& groups,
+                bool backwards);
 
 }  // namespace talus

@@ -7,20 +7,22 @@ namespace talus {
 
 namespace {
 
-// Springs, part of a contact's own stiffness. Measured on walls of 100 to 2200 bricks whose waves cross 2 to 14 courses in a step:
-// 0.03 to 0.3 take alike while states are unknown; 0.3 and 0.001 a third of the iterations of 0.1 once they are known.
+// Springs, part of a contact's own stiffness. Measured on walls of 100 to 2200 bricks whose waves cross 2 to 14 courses
+// in a step: 0.03 to 0.3 take alike while states are unknown; 0.3 and 0.001 a third of the iterations of 0.1 once they
+// are known.
 constexpr double rough_spring = 0.1, stiff_spring = 0.3, soft_spring = 1e-3;
-constexpr int remembered = 12;      // changes that are mixed
+constexpr int remembered = 12;  // changes that are mixed
 constexpr int least_iterations = 10;
-constexpr int roughly = 500;         // one state in so many changes: they are known so
-constexpr double rounding = 1e-12;   // change, part of all forces
+constexpr int roughly = 500;        // one state in so many changes: they are known so
+constexpr double rounding = 1e-12;  // change, part of all forces
 
 }  // namespace
 
 // The sums over a block's unknowns, of which most have six.
 double ContactSplitting::Copy::along(const double* rows, const Vector& d) const {
   const auto sum = [&](const double* row, int dof, int size) {
-    if (size == first_order_dofs) return Eigen::Map<const ColumnOf<first_order_dofs>>(row).dot(d.segment<first_order_dofs>(dof));
+    if (size == first_order_dofs)
+      return Eigen::Map<const ColumnOf<first_order_dofs>>(row).dot(d.segment<first_order_dofs>(dof));
     double part = 0;
     for (int k = 0; k < size; ++k) part += row[k] * d[dof + k];
     return part;
@@ -63,7 +65,8 @@ void ContactSplitting::pack(const ContactRows& row, int number, double spring, d
   append(row.shear_j, row.size_j);
 }
 
-void ContactSplitting::ask(const ContactProblem& problem, const Contacts& contacts, const Vector& d, Vector& asked) const {
+void ContactSplitting::ask(const ContactProblem& problem, const Contacts& contacts, const Vector& d,
+                           Vector& asked) const {
   const double f = problem.contacts.factor();
   const auto count = Eigen::Index(copies_.size());
   asked.resize(2 * count);
@@ -76,8 +79,8 @@ void ContactSplitting::ask(const ContactProblem& problem, const Contacts& contac
   }
 }
 
-// The law at every copy, whose force N = max(0, asked - its spring's part), and so the force on the blocks: that of the copies,
-// carried to the blocks by the springs. Returns how many states are others than before.
+// The law at every copy, whose force N = max(0, asked - its spring's part), and so the force on the blocks: that of the
+// copies, carried to the blocks by the springs. Returns how many states are others than before.
 int ContactSplitting::answer(const ContactProblem& problem, Contacts contacts, Vector& force) const {
   const auto count = Eigen::Index(copies_.size());
   force = problem.system.force;
@@ -103,7 +106,8 @@ int ContactSplitting::answer(const ContactProblem& problem, Contacts contacts, V
   return changed;
 }
 
-ContactSplitting::Progress ContactSplitting::run(ContactProblem& problem, bool rough, int quiet, int most, Contacts contacts, Vector& d) {
+ContactSplitting::Progress ContactSplitting::run(ContactProblem& problem, bool rough, int quiet, int most,
+                                                 Contacts contacts, Vector& d) {
   Progress progress;
   if (!(progress.factored = factor(problem, rough, contacts))) return progress;
   ask(problem, contacts, d, asked_);
@@ -126,8 +130,8 @@ ContactSplitting::Progress ContactSplitting::run(ContactProblem& problem, bool r
     asked_ = mixing.next(asked_, next_);
     ++progress.iterations;
     unchanged = changed <= (rough ? allowed : 0) ? unchanged + 1 : 0;
-    progress.settled = (progress.iterations > least_iterations && unchanged >= quiet) ||
-                       !(progress.change > rounding * asked_.norm());
+    progress.settled =
+        (progress.iterations > least_iterations && unchanged >= quiet) || !(progress.change > rounding * asked_.norm());
   }
   return progress;
 }

@@ -10,10 +10,11 @@ namespace {
 
 // Pairs of sweeps after which a restart of the momentum by growth of the change is allowed: it takes a few to build up.
 constexpr int least_run = 5;
-// Pairs after which all contacts are looked at, not those alone that press or may soon, and motions are added up anew: carried on with
-// the forces they gather rounding, which stiff rigid walls answer with more sweeps.
+// Pairs after which all contacts are looked at, not those alone that press or may soon, and motions are added up anew:
+// carried on with the forces they gather rounding, which stiff rigid walls answer with more sweeps.
 constexpr int rebuilt_every = 10;
-constexpr int looked_at_all = 2;   // of these pairs, the last; in the others the contacts that still change, where these are few
+// of these pairs, the last; in the others the contacts that still change, where these are few
+constexpr int looked_at_all = 2;
 constexpr double still_part = 0.1, most_changing = 0.6;  // of all change, in squares; of all contacts
 constexpr double ahead = 2;  // times that way: contacts that would close in it may soon press
 
@@ -31,8 +32,7 @@ void SweepsOf<size>::rebuild() {
     go(rows.ni, rows.si, n, t, sum[link.i]);
     go(rows.nj, rows.sj, n, t, sum[link.j]);
   }
-  for (size_t t = 0; t < tied_.size(); ++t)
-    sum[tied_[t].block].column() += to_own_[tied_[t].block] * bond_[t];
+  for (size_t t = 0; t < tied_.size(); ++t) sum[tied_[t].block].column() += to_own_[tied_[t].block] * bond_[t];
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, int(most_in_patch) * size, 1> forces, motions;
   for (const Patch& patch : patches_) {
     if (patch.unit) continue;
@@ -52,10 +52,12 @@ void SweepsOf<size>::relax(size_t tied) {
   bond_[tied] = force;
   const Patch& patch = patches_[own.patch];
   for (const int moved : patch.blocks)
-    motion_[moved].column() += patch.inverse.template block<size, size>(rank_[moved] * size, rank_[own.block] * size) * change;
+    motion_[moved].column() +=
+        patch.inverse.template block<size, size>(rank_[moved] * size, rank_[own.block] * size) * change;
 }
 
-// Contacts that press, or would by going on as since they were last looked at: others keep to their place for the next few pairs.
+// Contacts that press, or would by going on as since they were last looked at: others keep to their place for the next
+// few pairs.
 template <int size>
 void SweepsOf<size>::watch() {
   std::vector<int> active;
@@ -66,7 +68,8 @@ void SweepsOf<size>::watch() {
     const Link& link = contacts_[k];
     const SweptRows<size>& rows = rows_[link.rows];
     const double gap = link.gap0 + factor_ * along(rows.ni, motion_[link.i], rows.nj, motion_[link.j]);
-    if (first || forces_[k].n != 0 || forces_[k].t != 0 || link.law.cohesion > 0 || gap + ahead * (gap - gap_[k]) < 0 || gap < 0)
+    if (first || forces_[k].n != 0 || forces_[k].t != 0 || link.law.cohesion > 0 || gap + ahead * (gap - gap_[k]) < 0 ||
+        gap < 0)
       active.push_back(int(k));
     gap_[k] = gap;
   }
@@ -77,8 +80,9 @@ void SweepsOf<size>::watch() {
   active_.contacts = std::move(active);
 }
 
-// After a pair that looked at all and changed them by so much, N². After a step of Newton's one contact in ten makes all the change but for a
-// tenth, in squares: those, and what is beside them, are swept alone for a while. What that changes the others by is seen when all are looked at again.
+// After a pair that looked at all and changed them by so much, N². After a step of Newton's one contact in ten makes
+// all the change but for a tenth, in squares: those, and what is beside them, are swept alone for a while. What that
+// changes the others by is seen when all are looked at again.
 template <int size>
 void SweepsOf<size>::look_at_changing(const State& from, double change) {
   if (!tied_.empty()) return;
@@ -138,15 +142,16 @@ void SweepsOf<size>::keep(State& to) const {
   for (const int block : changing_.blocks) to.motion[size_t(block)] = motion_[size_t(block)];
 }
 
-// As they come: each into the first of the last few groups that has room for it and comes after all that move a block, or a patch, that it moves.
+// As they come: each into the first of the last few groups that has room for it and comes after all that move a block,
+// or a patch, that it moves.
 template <int size>
 std::vector<SweptGroup<size>> SweepsOf<size>::grouped(const std::vector<int>& contacts) const {
   constexpr int filled_at_once = 8;
   const int held = int(blocks_.size()), none = int(contacts_.size());
   std::vector<SweptGroup<size>> groups;
   groups.reserve(contacts.size() / 3);
-  std::vector<int> filled;                         // contacts of each group
-  std::vector<int> next(patches_.size(), 0);       // of each patch, the first group that comes after all that move it
+  std::vector<int> filled;                    // contacts of each group
+  std::vector<int> next(patches_.size(), 0);  // of each patch, the first group that comes after all that move it
   for (const int k : contacts) {
     const Link& link = contacts_[size_t(k)];
     const int a = patch_of_[size_t(link.i)], b = patch_of_[size_t(link.j)];
@@ -200,8 +205,8 @@ typename SweepsOf<size>::Change SweepsOf<size>::change(const State& from, const 
   return sum;
 }
 
-// Forces go on along their change since `last`, motions along theirs, less what contacts cannot carry; `anew`: motions are added up from
-// the forces.
+// Forces go on along their change since `last`, motions along theirs, less what contacts cannot carry; `anew`: motions
+// are added up from the forces.
 template <int size>
 void SweepsOf<size>::carry_on(const State& last, double momentum, bool anew) {
   for (size_t t = 0; t < bond_.size(); ++t) bond_[t] += momentum * (bond_[t] - last.bond[t]);
@@ -217,7 +222,8 @@ void SweepsOf<size>::carry_on(const State& last, double momentum, bool anew) {
     const ContactForces carried = forces_[k] = contacts_[k].law.carried(asked);
     if (carried.n != asked.n || carried.t != asked.t) {
       const Link& link = contacts_[k];
-      move(view(), link.i, link.j, link.rows, link.moved_begin, link.moved_end, carried.n - asked.n, carried.t - asked.t);
+      move(view(), link.i, link.j, link.rows, link.moved_begin, link.moved_end, carried.n - asked.n,
+           carried.t - asked.t);
     }
   }
   if (anew) rebuild();
@@ -265,7 +271,8 @@ void SweepsOf<size>::take(const std::vector<double>& normal, const std::vector<d
 }
 
 template <int size>
-Sweeping::Progress SweepsOf<size>::run(const End& end, Carry carry, std::vector<double>& normal, std::vector<double>& shear, Vector& d) {
+Sweeping::Progress SweepsOf<size>::run(const End& end, Carry carry, std::vector<double>& normal,
+                                       std::vector<double>& shear, Vector& d) {
   take(normal, shear, d);
   watch();
   state_.assign(contacts_.size(), 0);
@@ -295,7 +302,8 @@ Sweeping::Progress SweepsOf<size>::run(const End& end, Carry carry, std::vector<
     if (again && carry == Carry::momentum) look_at_changing(from, now.change);
     if (progress.pairs % rebuilt_every == rebuilt_every - looked_at_all) all_ = true;
     if (end.worth > 0 && progress.pairs % 10 == 0) {
-      const bool on_the_way = decade == 0 || progress.change < decade * std::pow(end.enough / progress.change, 10.0 / end.worth);
+      const bool on_the_way =
+          decade == 0 || progress.change < decade * std::pow(end.enough / progress.change, 10.0 / end.worth);
       if (const int changed = changed_states(); !on_the_way && changed <= end.changing) break;
       decade = progress.change;
     }
@@ -352,7 +360,9 @@ bool SweepsOf<size>::none_closes() const {
   return true;
 }
 
-template Sweeping::Progress SweepsOf<first_order_dofs>::run(const End&, Carry, std::vector<double>&, std::vector<double>&, Vector&);
-template Sweeping::Progress SweepsOf<second_order_dofs>::run(const End&, Carry, std::vector<double>&, std::vector<double>&, Vector&);
+template Sweeping::Progress SweepsOf<first_order_dofs>::run(const End&, Carry, std::vector<double>&,
+                                                            std::vector<double>&, Vector&);
+template Sweeping::Progress SweepsOf<second_order_dofs>::run(const End&, Carry, std::vector<double>&,
+                                                             std::vector<double>&, Vector&);
 
 }  // namespace talus

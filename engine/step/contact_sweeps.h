@@ -1,11 +1,11 @@
 #pragma once
-// Nonlinear Gauss–Seidel over contacts, in forces (Moreau 1988, Jean 1999: non-smooth contact dynamics): each contact in
-// turn gets the normal and shear force that meet its whole law, Coulomb's cone included, with all other forces held. In
-// forces a stiff contact is an easy one: only the bodies' own inertia and stiffness make neighbours depend on each other, so
-// what waves cannot cross in a step converges in a few sweeps, without a factor. Blocks that hang together by bonds move as
-// patches of a few, and what holds patches together is relaxed from patch to patch in the same sweep.
-// Between pairs of sweeps the forces are carried on: by Nesterov's momentum (1983) with restart (O'Donoghue & Candès 2015), or by
-// Anderson's mixing, dearer and surer.
+// Nonlinear Gauss–Seidel over contacts, in forces (Moreau 1988, Jean 1999: non-smooth contact dynamics): each contact
+// in turn gets the normal and shear force that meet its whole law, Coulomb's cone included, with all other forces held.
+// In forces a stiff contact is an easy one: only the bodies' own inertia and stiffness make neighbours depend on each
+// other, so what waves cannot cross in a step converges in a few sweeps, without a factor. Blocks that hang together by
+// bonds move as patches of a few, and what holds patches together is relaxed from patch to patch in the same sweep.
+// Between pairs of sweeps the forces are carried on: by Nesterov's momentum (1983) with restart (O'Donoghue & Candès
+// 2015), or by Anderson's mixing, dearer and surer.
 #include <algorithm>
 #include <cmath>
 
@@ -21,8 +21,8 @@ class Sweeping {
   struct End {
     int most;       // pairs: a sweep forwards and one backwards
     double enough;  // change of the forces, part of their norm
-    // > 0: earlier where they are not on the way to be done within so many pairs more, as soon as no more than `changing` contacts have come
-    // to another state in ten pairs.
+    // > 0: earlier where they are not on the way to be done within so many pairs more, as soon as no more than
+    // `changing` contacts have come to another state in ten pairs.
     int worth = 0;
     int changing = 0;
   };
@@ -33,9 +33,9 @@ class Sweeping {
   };
 };
 
-// Of blocks that have at most `size` unknowns. Each block's unknowns are taken in the axes and units in which its own matrix is 1,
-// z = Lᵀd with L Lᵀ = K of the block: a block that hangs on no other is then moved along the very rows that its contacts feel, and half as much
-// is read for a contact.
+// Of blocks that have at most `size` unknowns. Each block's unknowns are taken in the axes and units in which its own
+// matrix is 1, z = Lᵀd with L Lᵀ = K of the block: a block that hangs on no other is then moved along the very rows
+// that its contacts feel, and half as much is read for a contact.
 template <int size>
 class SweepsOf : public Sweeping {
  public:
@@ -90,32 +90,36 @@ class SweepsOf : public Sweeping {
   Change change(const State& from, const State& last) const;
   void carry_on(const State& last, double momentum, bool anew);
   void mix(const State& from, Mixing& mixing);
-  SweepView<size> view() { return {contacts_.data(), int(contacts_.size()), rows_.data(), moved_.data(), moved_block_.data(), forces_.data(), motion_.data(), factor_}; }
+  SweepView<size> view() {
+    return {contacts_.data(),    int(contacts_.size()), rows_.data(),   moved_.data(),
+            moved_block_.data(), forces_.data(),        motion_.data(), factor_};
+  }
 
   std::vector<Link> contacts_;
   std::vector<SweptRows<size>> rows_;
   std::vector<ContactForces> forces_;  // of contacts_, and none at the end
-  std::vector<char> state_;     // of contacts_, as changed_states() left them
-  std::vector<double> gap_;     // m, of contacts_ when they were last looked at all
+  std::vector<char> state_;            // of contacts_, as changed_states() left them
+  std::vector<double> gap_;            // m, of contacts_ when they were last looked at all
   struct Swept {
     std::vector<int> contacts;  // of contacts_
     std::vector<SweptGroup<size>> groups;
     std::vector<int> blocks;  // of blocks_, that they move; of changing_ alone
   };
-  Swept active_;    // all that press or may soon
-  Swept changing_;  // those of them that still change, and what is beside them
+  Swept active_;     // all that press or may soon
+  Swept changing_;   // those of them that still change, and what is beside them
   bool all_ = true;  // of active_ are swept
-  int kept_whole_ = 0;  // states since others are swept: after two both that a pair is compared with have what does not change
+  // states since others are swept: after two both that a pair is compared with have what does not change
+  int kept_whole_ = 0;
   const Swept& swept() const { return all_ ? active_ : changing_; }
   std::vector<SweptMotion<size>> moved_;
-  std::vector<int> moved_block_;  // whose that is
-  std::vector<int> blocks_;  // of the problem, those that move
+  std::vector<int> moved_block_;        // whose that is
+  std::vector<int> blocks_;             // of the problem, those that move
   std::vector<Matrix> lower_, to_own_;  // L and L⁻¹ of each block
   std::vector<Patch> patches_;
-  std::vector<int> patch_of_, rank_;  // of each block, and its place there
-  std::vector<Tied> tied_;  // patch by patch
+  std::vector<int> patch_of_, rank_;         // of each block, and its place there
+  std::vector<Tied> tied_;                   // patch by patch
   std::vector<Lanes<size>> force_, motion_;  // of blocks_, L⁻¹f and z; and a zero at the end
-  std::vector<Column> bond_;  // N, of tied_: force on the block by its ties, as it was last relaxed
+  std::vector<Column> bond_;                 // N, of tied_: force on the block by its ties, as it was last relaxed
   const ContactProblem* problem_ = nullptr;
   double factor_ = 1;
 };

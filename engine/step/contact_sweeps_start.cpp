@@ -1,4 +1,5 @@
-// What sweeps begin with: blocks in their own axes, patches of those that hang together, and the contacts on them in order.
+// What sweeps begin with: blocks in their own axes, patches of those that hang together, and the contacts on them in
+// order.
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
@@ -61,7 +62,8 @@ void SweepsOf<size>::start(const ContactProblem& problem) {
   motion_.assign(count + 1, Lanes<size>{});
   for (size_t l = 0; l < count; ++l) {
     Column force = Column::Zero();
-    force.head(problem.dofs[blocks_[l]]) = system.force.segment(problem.dof_begin[blocks_[l]], problem.dofs[blocks_[l]]);
+    force.head(problem.dofs[blocks_[l]]) =
+        system.force.segment(problem.dof_begin[blocks_[l]], problem.dofs[blocks_[l]]);
     force_[l] = Lanes<size>::of(to_own_[l] * force);
   }
   find_patches(find_ties(place));
@@ -198,12 +200,14 @@ SweptRows<size> SweepsOf<size>::add_moved(const Link& link) {
   return of_own;
 }
 
-// From one end of the island to the other: on its way a sweep takes along what it has found, where in any other order it goes from
-// neighbour to neighbour a sweep each time.
+// From one end of the island to the other: on its way a sweep takes along what it has found, where in any other order
+// it goes from neighbour to neighbour a sweep each time.
 template <int size>
 void SweepsOf<size>::put_in_order() {
   if (contacts_.empty()) return;
-  const auto place = [&](const Link& link) -> const Vec2& { return problem_->model->vertex[problem_->before(size_t(link.contact)).global_vertex]; };
+  const auto place = [&](const Link& link) -> const Vec2& {
+    return problem_->model->vertex[problem_->before(size_t(link.contact)).global_vertex];
+  };
   Vec2 low = place(contacts_[0]), high = low;
   for (const Link& link : contacts_) {
     low = low.cwiseMin(place(link));

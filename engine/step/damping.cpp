@@ -20,7 +20,8 @@ std::vector<double> kept_velocities(const Model& model, const std::vector<BlockS
   return kept;
 }
 
-// The energy is that at X, not at y: what the way between them holds changes with the velocity, and is read off the state.
+// The energy is that at X, not at y: what the way between them holds changes with the velocity, and is read off the
+// state.
 double damp(Model& model, const std::vector<double>& kept) {
   double taken = 0;
   if (kept.empty()) return 0;

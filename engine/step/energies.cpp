@@ -29,7 +29,8 @@ double strain_of_blocks(const Model& model, bool asleep, double ahead) {
     const auto& v = model.blocks[b].velocity;
     const Vec3 e = model.blocks[b].strain + ahead / shape.length * Vec3(v[3], v[4], v[5]);
     sum += shape.area * e.dot(shape.initial_stress + elasticity_of[shape.material] * e / 2);
-    if (const auto bend = bend_ahead(model.blocks[b], ahead)) sum += bend_energy(model, int(b), Eigen::Map<const Vec6>(bend->data()));
+    if (const auto bend = bend_ahead(model.blocks[b], ahead))
+      sum += bend_energy(model, int(b), Eigen::Map<const Vec6>(bend->data()));
   }
   return sum;
 }
@@ -39,7 +40,10 @@ double strain_of_blocks(const Model& model, bool asleep, double ahead) {
 double initial_stress_energy(const Model& model) {
   double sum = 0;
   for (const BlockShape& shape : model.shapes)
-    if (shape.dofs > rigid_dofs && !shape.initial_stress.isZero(0)) sum += shape.area / 2 * shape.initial_stress.dot(elasticity(model.scene.materials[size_t(shape.material)]).inverse() * shape.initial_stress);
+    if (shape.dofs > rigid_dofs && !shape.initial_stress.isZero(0))
+      sum += shape.area / 2 *
+             shape.initial_stress.dot(elasticity(model.scene.materials[size_t(shape.material)]).inverse() *
+                                      shape.initial_stress);
   return sum;
 }
 
@@ -86,11 +90,13 @@ double contact_energy(std::span<const Contact> contacts) {
 }
 
 int closed_contacts(std::span<const Contact> contacts) {
-  return int(std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.state != ContactState::open; }));
+  return int(
+      std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.state != ContactState::open; }));
 }
 
 Asleep stored_asleep(const Model& model) {
-  return {strain_of_blocks(model, true, 0), contact_energy(model.asleep_contacts()), closed_contacts(model.asleep_contacts())};
+  return {strain_of_blocks(model, true, 0), contact_energy(model.asleep_contacts()),
+          closed_contacts(model.asleep_contacts())};
 }
 
 double gravity_energy_ahead(const Model& model, double ahead) {

@@ -9,8 +9,8 @@
 namespace talus {
 
 // ½ vᵀM v of what can move, spin with the moment of inertia of the block as it is strained at y: angular momentum
-// I(e)s of the mean spin is kept (step/update.cpp), and ½Is² changes by the work of the centrifugal forces. Held blocks are not
-// counted.
+// I(e)s of the mean spin is kept (step/update.cpp), and ½Is² changes by the work of the centrifugal forces. Held blocks
+// are not counted.
 double kinetic_energy(const Model& model, double ahead);
 double kinetic_energy(const Model& model, int block, double ahead);
 
@@ -28,7 +28,8 @@ struct Asleep {
 };
 Asleep stored_asleep(const Model& model);
 
-double initial_stress_energy(const Model& model);     // what the initial stress can give: ½ A σ₀·D⁻¹σ₀ of blocks that strain
+// what the initial stress can give: ½ A σ₀·D⁻¹σ₀ of blocks that strain
+double initial_stress_energy(const Model& model);
 double gravity_energy_ahead(const Model& model, double ahead);  // of the way from X to y: -m g·v ahead
 
 }  // namespace talus

@@ -20,39 +20,45 @@ bool with_contacts(const Plan& plan) {
 
 std::span<const EnergyTerm> energy_terms() {
   static const std::vector<EnergyTerm> terms = {
-      {"kinetic", "kinetic_energy", "kinetic", EnergyTerm::stored, &Energies::kinetic, "of what is not held",
-       always},
+      {"kinetic", "kinetic_energy", "kinetic", EnergyTerm::stored, &Energies::kinetic, "of what is not held", always},
       {"strain", "strain_energy", "strain", EnergyTerm::stored, &Energies::strain, "of blocks, bonds and supports",
        always},
       {"contact", "contact_energy", "contact springs", EnergyTerm::stored, &Energies::contact,
        "in the springs of contacts", with_contacts},
       {"gravity", "gravity_energy", "gravity", EnergyTerm::stored, &Energies::gravity,
-       "of height, since the start, less what steps of another length have lifted and no loss has paid for yet", [](const Plan& plan) { return plan.gravity; }},
+       "of height, since the start, less what steps of another length have lifted and no loss has paid for yet",
+       [](const Plan& plan) { return plan.gravity; }},
       {"total", "total_energy", "total", EnergyTerm::sum, &Energies::total,
        "kinetic, strain, contact and gravity together", always},
       {"external", "external_work", "loads", EnergyTerm::put_in, &Energies::external,
-       "work of loads and body forces, of what a script changes between steps, and in static runs of what is not in balance of an initial stress", [](const Plan& plan) { return plan.loads; }},
+       "work of loads and body forces, of what a script changes between steps, and in static runs of what is not in balance of an initial stress",
+       [](const Plan& plan) { return plan.loads; }},
       {"gas", "gas_work", "gas", EnergyTerm::put_in, &Energies::gas, "work of explosion gas on the rock",
        [](const Plan& plan) { return plan.gas; }},
       {"boundary", "boundary_work", "moving supports", EnergyTerm::put_in, &Energies::boundary,
-       "work of supports and held regions that move, and of what viscous boundaries carried at the start", [](const Plan& plan) { return plan.moving_supports || with_dashpots(plan); }},
+       "work of supports and held regions that move, and of what viscous boundaries carried at the start",
+       [](const Plan& plan) { return plan.moving_supports || with_dashpots(plan); }},
       {"friction", "friction_work", "friction", EnergyTerm::lost, &Energies::friction, "lost to sliding",
        with_contacts},
       {"damping", "damping_work", "damping", EnergyTerm::lost, &Energies::damping,
        "taken by the dynamic parameter or a damping law", [](const Plan& plan) { return plan.damping; }},
       {"viscous", "viscous_work", "viscous boundaries", EnergyTerm::lost, &Energies::viscous,
        "absorbed by viscous boundaries", with_dashpots},
-      {"fracture", "fracture_work", "fracture", EnergyTerm::lost, &Energies::fracture, "released by bonds that failed, and by static rock that jumps as they do",
+      {"fracture", "fracture_work", "fracture", EnergyTerm::lost, &Energies::fracture,
+       "released by bonds that failed, and by static rock that jumps as they do",
        [](const Plan& plan) { return plan.fracture; }},
       {"numerical", "numerical_loss", "integrator", EnergyTerm::lost, &Energies::numerical,
-       "lost to the integrator, by its formula; in static runs what contacts give off at once, less what lifts those that climb without friction", [](const Plan& plan) { return plan.dynamic || plan.contacts; }},
+       "lost to the integrator, by its formula; in static runs what contacts give off at once, less what lifts those that climb without friction",
+       [](const Plan& plan) { return plan.dynamic || plan.contacts; }},
       {"unexplained", "unexplained_energy", "unexplained", EnergyTerm::rest, &Energies::unexplained,
        "what is left: total - its start - work put in + losses", always},
   };
   return terms;
 }
 
-std::vector<const EnergyTerm*> energy_terms(const Plan& plan) { return energy_terms(plan, {}); }
+std::vector<const EnergyTerm*> energy_terms(const Plan& plan) {
+  return energy_terms(plan, {});
+}
 
 std::vector<const EnergyTerm*> energy_terms(const Plan& plan, const Energies& energies) {
   std::vector<const EnergyTerm*> present;

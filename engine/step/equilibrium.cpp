@@ -21,38 +21,41 @@ namespace {
 // Equilibrium with contacts is found by steps against a little inertia, which a loose block needs to stay
 // put: this part of (wave speed / size)², far below the slowest mode of what is held.
 constexpr double least_hold = 1e-4;
-// Of what gives way: it then moves in a step no farther than waves take it through the whole scene, so that the crack that takes
-// most energy gets ahead of the others. With less, they grow together, and several stay.
+// Of what gives way: it then moves in a step no farther than waves take it through the whole scene, so that the crack
+// that takes most energy gets ahead of the others. With less, they grow together, and several stay.
 constexpr double giving_hold = 1;
-constexpr double often_far = 0.7;  // of the way that a step may move: what goes by its hold is not let go farther
+constexpr double often_far = 0.7;   // of the way that a step may move: what goes by its hold is not let go farther
 constexpr int static_patience = 4;  // steps that bring equilibrium no nearer, of bonds that soften
-constexpr int steps_a_level = 3;  // with one share of the slopes, before a larger one is tried
+constexpr int steps_a_level = 3;    // with one share of the slopes, before a larger one is tried
 constexpr int equilibrium_iterations = 200;
-// What lies smooth between plates drifts on as they tilt by rounding and compliance: where the residual falls no more it will do up to ten times what is asked for.
-constexpr int drifting = 30;            // solves without a fall by a hundredth
+// What lies smooth between plates drifts on as they tilt by rounding and compliance: where the residual falls no more
+// it will do up to ten times what is asked for.
+constexpr int drifting = 30;              // solves without a fall by a hundredth
 constexpr double drifting_residual = 10;  // of static_tolerance
-// What is all but held creeps on to where more holds it, by what the hold lets it go in a solve: where the residual does not fall that becomes more.
-constexpr int creeping = 10;  // solves
+// What is all but held creeps on to where more holds it, by what the hold lets it go in a solve: where the residual
+// does not fall that becomes more.
+constexpr int creeping = 10;          // solves
 constexpr double least_creep = 1e-4;  // part of least_hold
 constexpr int whole_way_among_cracks = 15;
 // Solves in a row that are not taken because they went past contacts, each held four times harder than the one before.
 constexpr int most_past = 6;
 constexpr double deepest_past = 1e-3;  // of √area: as near as corners that a mesh was drawn with
-constexpr double past_hold = 16;  // as it is let go four times farther each time
+constexpr double past_hold = 16;       // as it is let go four times farther each time
 
 constexpr double release_hold = 0.1;
 constexpr int release_iterations = 40;
-// Solves with friction from the start, where sticking joints alternate: enough for arches of 100 voussoirs, and no more than those took.
+// Solves with friction from the start, where sticking joints alternate: enough for arches of 100 voussoirs, and no more
+// than those took.
 constexpr int most_balance_solves = 60;
 constexpr double sliding_hold = 1e-3;  // part of (wave speed / size of a block)²
-// Of its acceleration that is a load. The rest moves it on, by about ten times what its strains change, so that friction has
-// its direction everywhere.
+// Of its acceleration that is a load. The rest moves it on, by about ten times what its strains change, so that
+// friction has its direction everywhere.
 constexpr double sliding_lead = 0.999;
 
-// How the falling branches of bonds that soften are taken. With their whole slope, Newton's step, as long as the matrix is
-// positive definite; else, near the load that they bear and where they give way under it, with a share of it. Without
-// any, tractions stay in a step as they are at its start: what opens sheds in the next what it has lost in this one, so
-// that each step lowers the energy, however far the blocks are from being able to follow.
+// How the falling branches of bonds that soften are taken. With their whole slope, Newton's step, as long as the matrix
+// is positive definite; else, near the load that they bear and where they give way under it, with a share of it.
+// Without any, tractions stay in a step as they are at its start: what opens sheds in the next what it has lost in this
+// one, so that each step lowers the energy, however far the blocks are from being able to follow.
 struct Softening {
   static constexpr std::array shares = {1.0, 0.95, 0.8, 0.0};
   static constexpr int least_level = int(shares.size()) - 1;
@@ -100,7 +103,9 @@ double slower_by_width(const Model& model) {
   };
   each_moving([&](const BlockShape& shape) { sum += shape.reference_centroid, ++moving; });
   double far = 0;
-  each_moving([&](const BlockShape& shape) { far = std::max(far, (shape.reference_centroid - sum / moving).norm() + shape.radius); });
+  each_moving([&](const BlockShape& shape) {
+    far = std::max(far, (shape.reference_centroid - sum / moving).norm() + shape.radius);
+  });
   return far > wide * model.extent ? std::pow(wide * model.extent / far, 2) : 1;
 }
 
@@ -113,7 +118,8 @@ bool in_one_piece(const Model& model) {
 
 }  // namespace
 
-Equilibrium::Equilibrium(StepParts& parts) : parts_(parts), model_(parts.model), plan_(parts.plan), totals_(parts.totals) {}
+Equilibrium::Equilibrium(StepParts& parts)
+    : parts_(parts), model_(parts.model), plan_(parts.plan), totals_(parts.totals) {}
 
 std::string Equilibrium::settle() {
   EquilibriumSearch stuck, released;
@@ -126,10 +132,13 @@ std::string Equilibrium::settle() {
   };
   bool slid = false;
   if (!settles(true, 0, equilibrium_iterations, stuck)) {
-    if (stuck.last.singular_block >= 0) return "no settled start: nothing holds " + block_name(model_, stuck.last.singular_block) + "; the run starts at rest as given";
+    if (stuck.last.singular_block >= 0)
+      return "no settled start: nothing holds " + block_name(model_, stuck.last.singular_block) +
+             "; the run starts at rest as given";
     slid = plan_.contacts && stuck.left < 0 && balances_in_place();
-    if (!slid) return "no settled start: even with joints that do not slide, " + culprit(stuck) +
-           (stuck.left >= 0 ? " topples or falls" : " keeps moving") + "; the run starts at rest as given";
+    if (!slid)
+      return "no settled start: even with joints that do not slide, " + culprit(stuck) +
+             (stuck.left >= 0 ? " topples or falls" : " keeps moving") + "; the run starts at rest as given";
   }
   // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
   // starts from there, or the first steps would shake it.
@@ -141,7 +150,8 @@ std::string Equilibrium::settle() {
   return {};
 }
 
-// As a static run finds it, with friction from the start: an arch may have contacts that come and go as long as they all stick.
+// As a static run finds it, with friction from the start: an arch may have contacts that come and go as long as they
+// all stick.
 bool Equilibrium::balances_in_place() {
   Restored attempt(model_);
   EquilibriumSearch search;
@@ -152,9 +162,9 @@ bool Equilibrium::balances_in_place() {
   return found;
 }
 
-// What friction does not hold is strained, as it begins to slide, by what is left of it and by its own inertia: let go from
-// the strains with which it stuck, it would shake for ever. The forces that a little inertia lets it follow give its
-// acceleration, and one more solve from the same place, with that as a load, its strains.
+// What friction does not hold is strained, as it begins to slide, by what is left of it and by its own inertia: let go
+// from the strains with which it stuck, it would shake for ever. The forces that a little inertia lets it follow give
+// its acceleration, and one more solve from the same place, with that as a load, its strains.
 void Equilibrium::start_sliding() {
   Vector lead;
   for (const bool last : {false, true}) {
@@ -179,7 +189,8 @@ void Equilibrium::start_sliding() {
   }
 }
 
-// With friction by the whole way; where that is not found, as among new cracks, by the way of each solve, whose friction gives in.
+// With friction by the whole way; where that is not found, as among new cracks, by the way of each solve, whose
+// friction gives in.
 bool Equilibrium::balance(EquilibriumSearch& search) {
   if (plan_.contacts) {
     Restored attempt(model_);
@@ -209,7 +220,9 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   double least = limited ? least_hold * slower_by_width(model_) : 0;
   const double enough = model_.scene.numerics.static_tolerance;
   const bool loaded = plan_.gravity || plan_.loads;  // else nothing leads what creeps to where more holds it
-  std::optional<Restored> freely;  // what nothing touches goes as far as Newton's method takes it, and where that makes it touch something begins again by short ways
+  // what nothing touches goes as far as Newton's method takes it, and where that makes it touch something begins again
+  // by short ways
+  std::optional<Restored> freely;
   if (plan_.contacts && !limited) freely.emplace(model_);
   Softening softening;
   const BridgeSearch bridged(bridges_);
@@ -240,7 +253,8 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     report.residual = result.residual;
     since_fall = result.residual < 0.99 * least_residual ? 0 : since_fall + 1;
     least_residual = std::min(least_residual, result.residual);
-    if (loaded && since_fall > 0 && since_fall % creeping == 0) least = std::min(least, std::max(least / 4, least_creep * least_hold));
+    if (loaded && since_fall > 0 && since_fall % creeping == 0)
+      least = std::min(least, std::max(least / 4, least_creep * least_hold));
     if (i > 0 && result.residual <= (since_fall < drifting ? 1 : drifting_residual) * enough) {
       if (freely) freely->keep();
       end_sliding(model_);
@@ -279,13 +293,15 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   return false;
 }
 
-// `whole_way`: faces that have been pressed in the search cohere until it ends. A cohesion that came and went with the force that depends on it would have it go to
-// and fro; other searches do, and may lead far from where faces were pressed.
+// `whole_way`: faces that have been pressed in the search cohere until it ends. A cohesion that came and went with the
+// force that depends on it would have it go to and fro; other searches do, and may lead far from where faces were
+// pressed.
 void Equilibrium::assemble(bool stick, bool whole_way) {
   const Scheme scheme = Scheme::equilibrium();
   parts_.assemble(scheme, {.stick = stick});
   if (whole_way)
-    for (const ContactRows& row : parts_.contacts.rows()) model_.contacts[size_t(row.contact)].coheres = row.cohesion > 0;
+    for (const ContactRows& row : parts_.contacts.rows())
+      model_.contacts[size_t(row.contact)].coheres = row.cohesion > 0;
   add_hold(model_, hold_, hold_lead_, parts_.system);
   if (!parts_.fracture) return;
   bridges_.find_slots(model_, parts_.system.matrix);
@@ -312,8 +328,8 @@ void Equilibrium::accept(std::vector<BlockState>& moved, const Vector& d) {
   if (parts_.fracture) bridges_.store_tractions(model_);
 }
 
-// Islands that were not solved, or went too far, stay where they are and are held harder next time, the others less, down to
-// `least`. Returns the largest displacement of those, or -1 where there are none.
+// Islands that were not solved, or went too far, stay where they are and are held harder next time, the others less,
+// down to `least`. Returns the largest displacement of those, or -1 where there are none.
 double Equilibrium::hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least, bool limited) {
   const double too_far = 2 * model_.scene.time.displacement_ratio * model_.extent;
   const Islands& islands = parts_.islands.islands();
@@ -329,7 +345,8 @@ double Equilibrium::hold_and_leave(bool stick, const std::vector<BlockState>& mo
     else if (limited && own > too_far)
       harder = std::max(4.0, own / too_far);
     const double softer = own > 0 ? std::clamp(often_far * too_far / own, 1.0, 4.0) : 4;
-    for (const int b : islands.blocks(island)) hold_[b] = harder > 0 ? std::max(hold_[b], least_hold) * harder : std::max(least, hold_[b] / softer);
+    for (const int b : islands.blocks(island))
+      hold_[b] = harder > 0 ? std::max(hold_[b], least_hold) * harder : std::max(least, hold_[b] / softer);
     if (harder > 0) {
       parts_.islands.leave(island);
       ++totals_.cuts;
@@ -342,7 +359,8 @@ double Equilibrium::hold_and_leave(bool stick, const std::vector<BlockState>& mo
 
 // Whether it went past contacts, for the `times`th solve in a row, and is not to be taken: the next is held harder.
 bool Equilibrium::goes_past(const std::vector<BlockState>& moved, const Vector& d, double displacement, int& times) {
-  if (times == most_past || !overlooked(model_, parts_.search, parts_.contacts, d, moved, 0, displacement, deepest_past)) {
+  if (times == most_past ||
+      !overlooked(model_, parts_.search, parts_.contacts, d, moved, 0, displacement, deepest_past)) {
     times = 0;
     return false;
   }
@@ -355,18 +373,19 @@ bool Equilibrium::goes_past(const std::vector<BlockState>& moved, const Vector& 
 
 void Equilibrium::give_up(const EquilibriumSearch& search) const {
   if (search.last.singular_block >= 0)
-    throw RunError("nothing holds " + block_name(model_, search.last.singular_block) + ": fix it, put it on something, or run the scene as dynamic");
+    throw RunError("nothing holds " + block_name(model_, search.last.singular_block) +
+                   ": fix it, put it on something, or run the scene as dynamic");
   const bool loose = !plan_.held_blocks && !plan_.fixities && !plan_.viscous;
   const std::string held = loose ? ". Nothing in the scene is held: give its base held = true, or a talus.fix" : "";
   if (search.left >= 0)
     throw RunError("no equilibrium at " + load_text(model_) + ": on the way to one " + block_name(model_, search.left) +
                    " topples or falls: hold it, or run the scene as dynamic" + held);
   const std::string alternating = search.alternation.text(model_);
-  throw RunError("no equilibrium at " + load_text(model_) + ": " +
-                 culprit(search) + " keeps moving. " +
+  throw RunError("no equilibrium at " + load_text(model_) + ": " + culprit(search) + " keeps moving. " +
                  (!alternating.empty()
                       ? "In " + std::to_string(search.report.iterations) + " solves " + alternating
-                      : "Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic") + held);
+                      : "Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic") +
+                 held);
 }
 
 std::string Equilibrium::culprit(const EquilibriumSearch& search) const {

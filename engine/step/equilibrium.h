@@ -16,7 +16,7 @@ struct EquilibriumSearch {
   Vector d;  // m, last displacements
   Alternation alternation;
   int most_solves = std::numeric_limits<int>::max();
-  bool may_jump = true;    // through states that are not stable
+  bool may_jump = true;  // through states that are not stable
   bool jumped = false;
   bool in_place = false;   // ends where a body topples or falls
   int left = -1;           // a block of that body

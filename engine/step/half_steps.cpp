@@ -14,11 +14,13 @@ namespace talus {
 namespace {
 
 constexpr double safety = 0.8, least_change = 0.2, most_change = 1.5;  // of the next step
-constexpr double most_again = 0.9;                                   // of a step that is taken again
+constexpr double most_again = 0.9;                                     // of a step that is taken again
 constexpr double early_share = 0.2;
-constexpr double least_part = 1e-5;  // of the run, the least step that error asks for: what jumps in no step is smooth in
+// of the run, the least step that error asks for: what jumps in no step is smooth in
+constexpr double least_part = 1e-5;
 
-// J/m, of the motion by which `other` differs from the model's: an energy, so that all unknowns count as their mass does.
+// J/m, of the motion by which `other` differs from the model's: an energy, so that all unknowns count as their mass
+// does.
 double kinetic_difference(const Model& model, const std::vector<BlockState>& other) {
   double sum = 0;
   for (int b = 0; b < int(model.blocks.size()); ++b) {
@@ -37,7 +39,8 @@ struct Kinds {
   long at_rest, by_sweeps;
   IslandCounts islands;
 
-  explicit Kinds(const RunTotals& totals) : at_rest(totals.steps_at_rest), by_sweeps(totals.steps_by_sweeps), islands(totals.islands) {}
+  explicit Kinds(const RunTotals& totals)
+      : at_rest(totals.steps_at_rest), by_sweeps(totals.steps_by_sweeps), islands(totals.islands) {}
   void put_into(RunTotals& totals) const {
     totals.steps_at_rest = at_rest;
     totals.steps_by_sweeps = by_sweeps;
@@ -45,12 +48,19 @@ struct Kinds {
   }
 };
 
-double kinetic(const Model& model) { return kinetic_difference(model, std::vector<BlockState>(model.blocks.size())); }
+double kinetic(const Model& model) {
+  return kinetic_difference(model, std::vector<BlockState>(model.blocks.size()));
+}
 
 }  // namespace
 
 HalfSteps::HalfSteps(StepParts& parts, Stepper& stepper)
-    : parts_(parts), model_(parts.model), stepper_(stepper), totals_(parts.totals), ledger_(parts.ledger), dt_(std::numeric_limits<double>::infinity()) {
+    : parts_(parts),
+      model_(parts.model),
+      stepper_(stepper),
+      totals_(parts.totals),
+      ledger_(parts.ledger),
+      dt_(std::numeric_limits<double>::infinity()) {
   const Scene& scene = model_.scene;
   tolerance_ = scene.time.tolerance;
   t_end_ = scene.time.t_end;
@@ -90,7 +100,8 @@ StepReport HalfSteps::step() {
       if (report.error > allowed) ++totals_.inaccurate;
       if (report.cuts == 0) stepper_.step_size() = *grown;  // halves, of a length given to them, do not let it grow
       const double next = std::max(dt * std::clamp(change, least_change, most_change), least_);
-      dt_ = dt < dt_ && change > 1 && std::isfinite(dt_) ? std::max(dt_, next) : next;  // a step cut short for another reason says less
+      // a step cut short for another reason says less
+      dt_ = dt < dt_ && change > 1 && std::isfinite(dt_) ? std::max(dt_, next) : next;
       report.cuts += again;
       report.dt = model_.time - start;
       return report;
@@ -102,13 +113,15 @@ StepReport HalfSteps::step() {
   }
 }
 
-// Each second may add its share to the whole run's error. What has just begun to move is slow beside what is to come: so that its
-// error may be larger beside it, by a share of the time since the start.
+// Each second may add its share to the whole run's error. What has just begun to move is slow beside what is to come:
+// so that its error may be larger beside it, by a share of the time since the start.
 double HalfSteps::allowed_error(double dt, double end) const {
   return tolerance_ * dt * std::max(1 / t_end_, early_share / end);
 }
 
-StepReport HalfSteps::whole_step() { return stepper_.dynamic_step(dt_); }
+StepReport HalfSteps::whole_step() {
+  return stepper_.dynamic_step(dt_);
+}
 
 // From the start of a step of `dt` to its end, in two, or in more where one of them is cut.
 StepReport HalfSteps::halves(double dt, double end) {
@@ -117,7 +130,8 @@ StepReport HalfSteps::halves(double dt, double end) {
   gas_events_.clear();
   take_half(dt / 2, sum);
   // What a half that was cut has left is shared between two, so that none is a sliver.
-  for (double rest = end - model_.time; rest > 1e-9 * dt; rest = end - model_.time) take_half(rest > dt / 2 * (1 + 1e-9) ? std::min(dt / 2, rest / 2) : rest, sum);
+  for (double rest = end - model_.time; rest > 1e-9 * dt; rest = end - model_.time)
+    take_half(rest > dt / 2 * (1 + 1e-9) ? std::min(dt / 2, rest / 2) : rest, sum);
   model_.time = end;  // to the last bit: output waits for it
   return sum;
 }
@@ -136,8 +150,8 @@ void HalfSteps::take_half(double dt, StepReport& sum) {
   gas_events_.insert(gas_events_.end(), events.begin(), events.end());
 }
 
-// Of the halves: the root of the kinetic energy of the difference over the most there has been. A step's error goes with
-// Δt^(order + 1), so that two halves have 2^-order of a whole one's, and 1/(2^order - 1) of the difference.
+// Of the halves: the root of the kinetic energy of the difference over the most there has been. A step's error goes
+// with Δt^(order + 1), so that two halves have 2^-order of a whole one's, and 1/(2^order - 1) of the difference.
 double HalfSteps::error_of(const std::vector<BlockState>& whole) {
   fastest_ = std::max(fastest_, kinetic(model_));
   const double difference = kinetic_difference(model_, whole);

@@ -1,6 +1,7 @@
 #pragma once
-// Steps as long as their error allows: each is taken whole, then again as two halves, which stand. What the two ends differ by
-// is the error of the whole step, and from it follows that of the halves (Richardson 1911; docs/theory.md, § 2).
+// Steps as long as their error allows: each is taken whole, then again as two halves, which stand. What the two ends
+// differ by is the error of the whole step, and from it follows that of the halves (Richardson 1911; docs/theory.md, §
+// 2).
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ class HalfSteps {
 
   // One accepted step of two halves. Throws RunError where the stepper does; the model is then as it was.
   StepReport step();
-  const std::vector<int>& fractures() const { return fractures_; }      // of both halves
+  const std::vector<int>& fractures() const { return fractures_; }  // of both halves
   const std::vector<GasEvent>& gas_events() const { return gas_events_; }
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
 

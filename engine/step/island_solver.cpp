@@ -11,8 +11,8 @@ namespace talus {
 
 namespace {
 
-// Solutions in a row, of which all but the first are looked for by the splitting without trying Newton's steps before it: a wall
-// of 1600 bricks, 1 s from zero gaps, takes 5.8 s of CPU instead of 6.5 with 8 and 8 to 10 with 1.
+// Solutions in a row, of which all but the first are looked for by the splitting without trying Newton's steps before
+// it: a wall of 1600 bricks, 1 s from zero gaps, takes 5.8 s of CPU instead of 6.5 with 8 and 8 to 10 with 1.
 constexpr int splits_in_a_row = 16;
 
 }  // namespace
@@ -54,8 +54,7 @@ IslandResult IslandSolver::solve(const Model& model, const System& system, const
     if (dt > 0) at_rest_[island] = judge_rest(step, island);
     if (at_rest_[island] != Rest::moves) {
       ++result.islands.at_rest;
-    } else if (!settings.motion || settings.solver == ContactSolver::factor ||
-               !solve_single(step, island, result, d)) {
+    } else if (!settings.motion || settings.solver == ContactSolver::factor || !solve_single(step, island, result, d)) {
       solve_together(step, island, result, d);
     }
   }
@@ -133,7 +132,8 @@ bool IslandSolver::solve_single(const Step& step, int island, IslandResult& resu
 IslandSolver::Standing IslandSolver::standing_of(int first, const ContactProblem& problem) const {
   std::int64_t touching = std::int64_t(problem.blocks.size());
   for (const auto& [column, row] : problem.system.matrix.pairs())  // FNV-1a
-    for (const int block : {column, row}) touching = std::int64_t((std::uint64_t(touching) ^ std::uint64_t(block)) * 0x100000001b3U);
+    for (const int block : {column, row})
+      touching = std::int64_t((std::uint64_t(touching) ^ std::uint64_t(block)) * 0x100000001b3U);
   for (const Standing& standing : standing_)
     if (standing.first == first && standing.touching == touching) return standing;
   return {.first = first, .touching = touching};

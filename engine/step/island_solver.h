@@ -15,8 +15,9 @@ namespace talus {
 struct IslandResult : OpenCloseResult {  // iterations, residual: of the worst island; sweeps, splittings: of all
   long solves = 0;                       // iterations of all
   long factorisations = 0;
-  double total_effort = 0;               // in factors of the whole scene
-  double split_anew = 0;                 // part of all blocks that move, in islands that only the splitting solved and that it did not before
+  double total_effort = 0;  // in factors of the whole scene
+  // part of all blocks that move, in islands that only the splitting solved and that it did not before
+  double split_anew = 0;
   IslandCounts islands;
 };
 
@@ -30,8 +31,8 @@ class IslandSolver {
  public:
   // After every assembly. together: the scene as one island.
   void find(const Model& model, const ContactTerms& contacts, bool together);
-  // d of all islands, looked for from where it is unless it is empty. dt: where what moves by no more than rounding in it and is in balance stays; 0: all is
-  // solved.
+  // d of all islands, looked for from where it is unless it is empty. dt: where what moves by no more than rounding in
+  // it and is in balance stays; 0: all is solved.
   IslandResult solve(const Model& model, const System& system, const ContactTerms& contacts,
                      const OpenCloseSettings& settings, double dt, Vector& d);
   // All rests as it did in the last solution.
@@ -48,7 +49,9 @@ class IslandSolver {
   int first(int block) const { return islands_.of(block) < 0 ? -1 : islands_.first(islands_.of(block)); }
   // Of the last solve: a block's island; blocks that press where they were not expected to.
   Rest rest(int block) const { return islands_.of(block) < 0 ? Rest::moves : at_rest_[islands_.of(block)]; }
-  bool all_rest() const { return std::all_of(at_rest_.begin(), at_rest_.end(), [](Rest rest) { return rest == Rest::rests; }); }
+  bool all_rest() const {
+    return std::all_of(at_rest_.begin(), at_rest_.end(), [](Rest rest) { return rest == Rest::rests; });
+  }
   const std::vector<int>& missed() const { return missed_; }
   template <class Visitor>
   void visit_state(Visitor& visitor) {
@@ -86,8 +89,7 @@ class IslandSolver {
     ContactProblem problem;
     long solve = 0;  // the last it took part in
   };
-  std::map<int, std::unique_ptr<Kept>>
-      kept_;  // by an island's first block: patterns and orders last for many steps
+  std::map<int, std::unique_ptr<Kept>> kept_;  // by an island's first block: patterns and orders last for many steps
   std::vector<Standing> standing_;
   long solve_ = 0;
 };

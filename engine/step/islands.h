@@ -9,7 +9,9 @@
 namespace talus {
 
 // Whether it holds its blocks together: intact, or softening.
-inline bool ties(const Joint& joint) { return joint.state == JointState::intact || joint.bridged; }
+inline bool ties(const Joint& joint) {
+  return joint.state == JointState::intact || joint.bridged;
+}
 
 class Islands {
  public:
@@ -22,8 +24,7 @@ class Islands {
   std::span<const int> rows(int island) const { return rows_.of(island); }
   // One block on which nothing presses and that no bond holds.
   bool single(int island) const { return single_[island]; }
-  int first(
-      int island) const {  // of its blocks with unknowns; a held one first in the list may be of many islands
+  int first(int island) const {  // of its blocks with unknowns; a held one first in the list may be of many islands
     for (const int b : blocks(island))
       if (of_[b] >= 0) return b;
     return -1;

@@ -32,8 +32,8 @@ Motion motion_of(const BookedStep& s, int block) {
   return motion;
 }
 
-// In one pass, as of many blocks the states are more than caches hold: what gravity gives, and the loss of the linear forces along X. They are
-// those of ȳ = (1-β) y0 + β y1; with X̄ = (X0 + X1)/2 and w = ȳ - X̄
+// In one pass, as of many blocks the states are more than caches hold: what gravity gives, and the loss of the linear
+// forces along X. They are those of ȳ = (1-β) y0 + β y1; with X̄ = (X0 + X1)/2 and w = ȳ - X̄
 //   -f·ΔX = U(X1) - U(X0) + ΔX·K w.
 // K ΔX is nothing where a body turns as one, which the classic (θ-½) Δv·MΔv is not. K is what the system's matrix
 // has beside inertia and dashpots. Those take ΔX·C ΔX/Δt.
@@ -46,12 +46,16 @@ void book_blocks(const BookedStep& s, Ledger& ledger) {
     if (shape.dofs == 0) continue;
     const Motion own = motion_of(s, b);
     const auto& [step, w] = own;
-    ledger.gravity_work += model.mass(b) * model.scene.gravity.dot(step.head<2>());  // at the centroid: on the translation alone, of any order
+    // at the centroid: on the translation alone, of any order
+    ledger.gravity_work += model.mass(b) * model.scene.gravity.dot(step.head<2>());
     all += s.system.matrix.form(b, own, motion);
-    with_size(shape.second_order(), [&](auto n) { inertial += step.template head<n>().dot(mass_matrix_of<n>(model, b) * w.template head<n>()); });
+    with_size(shape.second_order(), [&](auto n) {
+      inertial += step.template head<n>().dot(mass_matrix_of<n>(model, b) * w.template head<n>());
+    });
   }
   const ViscousForms dashpots = viscous_forms(model, s.poses, motion);
-  ledger.numerical_flow += (all - s.scheme.inertia * inertial - s.scheme.velocity_d / 2 * dashpots.mixed) / s.scheme.bond_d;
+  ledger.numerical_flow +=
+      (all - s.scheme.inertia * inertial - s.scheme.velocity_d / 2 * dashpots.mixed) / s.scheme.bond_d;
   ledger.viscous_work += dashpots.own / s.scheme.dt;
 }
 
@@ -62,8 +66,8 @@ double squared(double x) {
 }  // namespace
 
 void visit_state(Ledger& ledger, StateVisitor& v) {
-  auto& [ahead, gravity_work, external_work, gas_work, boundary_work, friction_work, damping_work, viscous_work, fracture_work,
-         numerical_flow, unpaid, start_energy, start_shift, largest_work] = ledger;
+  auto& [ahead, gravity_work, external_work, gas_work, boundary_work, friction_work, damping_work, viscous_work,
+         fracture_work, numerical_flow, unpaid, start_energy, start_shift, largest_work] = ledger;
   v("ahead", ahead);
   v("gravity_work", gravity_work);
   v("external_work", external_work);
@@ -89,7 +93,8 @@ void visit_state(Energies& energies, StateVisitor& v) {
 }
 
 void Ledger::keep_largest() {
-  for (const double work : {gravity_work, external_work, gas_work, boundary_work}) largest_work = std::max(largest_work, std::abs(work));
+  for (const double work : {gravity_work, external_work, gas_work, boundary_work})
+    largest_work = std::max(largest_work, std::abs(work));
 }
 
 void book_motion(const BookedStep& s, Ledger& ledger) {
@@ -114,10 +119,13 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   each_viscous_traction(model, s.poses, [&](int block, const LoadPoint& point, const Vec2& force) {
     load_at(block, point, force, ledger.boundary_work);
   });
-  each_gas_load(model, s.poses, [&](int block, const LoadPoint& point, const Vec2& force) {  // along X, as the law's work is
+  // along X, as the law's work is
+  each_gas_load(model, s.poses, [&](int block, const LoadPoint& point, const Vec2& force) {
     if (model.shapes[block].dofs == 0) return;
-    with_size(model.shapes[block].second_order(),
-              [&](auto n) { ledger.gas_work += force_on<n>(s.poses.blocks[block], point, force).dot(motion_of(s, block).first.template head<n>()); });
+    with_size(model.shapes[block].second_order(), [&](auto n) {
+      ledger.gas_work +=
+          force_on<n>(s.poses.blocks[block], point, force).dot(motion_of(s, block).first.template head<n>());
+    });
   });
   const auto pushed = [](const Region& region) { return region.body_force[0].given() || region.body_force[1].given(); };
   if (std::ranges::any_of(model.scene.regions, pushed))
@@ -141,7 +149,8 @@ double pressed_at_start(const Contact& c) {
 }
 
 ContactBooking::ContactBooking(const Model& model) {
-  for (const Contact& c : model.awake_contacts()) before_.push_back({gap_now(model, c), pressed_at_start(c), c.stretch, c.slip});
+  for (const Contact& c : model.awake_contacts())
+    before_.push_back({gap_now(model, c), pressed_at_start(c), c.stretch, c.slip});
 }
 
 // Loss of a contact along X: -N Δg less the spring's gain. For a gap that is linear in y this is the convexity gap
@@ -164,7 +173,8 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
       ledger.numerical_flow += c.shear_stiffness / 2 * squared(c.stretch - b.stretch);
     if (c.state == ContactState::open) continue;
     const ContactRows& row = rows[k];
-    ledger.numerical_flow -= c.shear_force * scheme.bond_ahead * (scheme.velocity_d * row.along(row.shear_i, row.shear_j, d) + row.faster);
+    ledger.numerical_flow -=
+        c.shear_force * scheme.bond_ahead * (scheme.velocity_d * row.along(row.shear_i, row.shear_j, d) + row.faster);
     // Work of a held block that moves: against the force the contact puts on it.
     const auto held = [&](int block, const Row& normal, const Row& shear) {
       if (model.shapes[block].dofs > 0) return;
@@ -177,8 +187,7 @@ void ContactBooking::book(const Model& model, const std::vector<ContactRows>& ro
   }
   for (size_t k = 0; k < before_.size(); ++k) {
     const Contact& c = model.awake_contacts()[k];
-    if (c.state == ContactState::slip)
-      ledger.friction_work += std::abs(c.shear_force * (c.slip - before_[k].slip));
+    if (c.state == ContactState::slip) ledger.friction_work += std::abs(c.shear_force * (c.slip - before_[k].slip));
   }
   ledger.keep_largest();
 }

@@ -9,9 +9,9 @@
 // is `unexplained`: finite rotations, contacts that hand over, the solver's residual.
 #include <algorithm>
 
-#include "equations/joint_terms.h"
 #include "equations/bridge_terms.h"
 #include "equations/contact_terms.h"
+#include "equations/joint_terms.h"
 #include "equations/supports.h"
 #include "model/state_visitor.h"
 
@@ -19,9 +19,11 @@ namespace talus {
 
 // Accumulated since the start of the run.
 struct Ledger {
-  double ahead = 0;           // s, from X to y over the velocity: of the last accepted step, and from change_step() on of the one attempted
-  double gravity_work = 0;    // along X
-  double external_work = 0;   // loads and body forces, along y; an initial stress out of balance (static); what the script changes in motion
+  // s, from X to y over the velocity: of the last accepted step, and from change_step() on of the one attempted
+  double ahead = 0;
+  double gravity_work = 0;  // along X
+  // loads and body forces, along y; an initial stress out of balance (static); what the script changes in motion
+  double external_work = 0;
   double gas_work = 0;        // explosion gas, along X
   double boundary_work = 0;   // moving supports and held blocks; what viscous boundaries carried at the start
   double friction_work = 0;   // dissipated
@@ -29,25 +31,29 @@ struct Ledger {
   double viscous_work = 0;    // absorbed by viscous boundaries
   double fracture_work = 0;   // released by bonds that failed, and by static rock that jumps as they do
   double numerical_flow = 0;  // the integrator's loss but for what is read off the state (start_shift)
-  double unpaid = 0;          // by which steps of another length have lifted what flies, y, and which is not counted as energy until losses have paid for it (theory, § 9)
-  double start_energy = 0;    // kinetic and stored, at y
-  double start_shift = 0;     // strain and gravity energy at y less those at X
-  double largest_work = 0;    // largest magnitude of gravity, external, gas or boundary work so far; in motion at least what an initial stress can give
+  // by which steps of another length have lifted what flies, y, and which is not counted as energy until losses have
+  // paid for it (theory, § 9)
+  double unpaid = 0;
+  double start_energy = 0;  // kinetic and stored, at y
+  double start_shift = 0;   // strain and gravity energy at y less those at X
+  // largest magnitude of gravity, external, gas or boundary work so far; in motion at least what an initial stress can
+  // give
+  double largest_work = 0;
 
   double scale() const { return std::max(start_energy, largest_work); }  // that errors are measured by
-  void keep_largest();  // after works have been booked
+  void keep_largest();                                                   // after works have been booked
   double pay(double lost);  // what is unpaid, by what a step has lost; returns what that adds to the total energy
 };
 void visit_state(Ledger& ledger, StateVisitor& visitor);  // the registry, model/registry.h
 
 // What has come and gone, in one row of the history.
 struct Energies {
-  double kinetic = 0, strain = 0, contact = 0, gravity = 0;  // stored; gravity: since the start
-  double total = 0;                                          // their sum
-  double external = 0, gas = 0, boundary = 0;                // put in since the start
+  double kinetic = 0, strain = 0, contact = 0, gravity = 0;                    // stored; gravity: since the start
+  double total = 0;                                                            // their sum
+  double external = 0, gas = 0, boundary = 0;                                  // put in since the start
   double friction = 0, damping = 0, viscous = 0, fracture = 0, numerical = 0;  // lost since the start
-  double unexplained = 0;                                    // total - start - put in + lost
-  double own() const { return total - external - gas - boundary; }  // that no step raises
+  double unexplained = 0;                                                      // total - start - put in + lost
+  double own() const { return total - external - gas - boundary; }             // that no step raises
   double stored() const { return kinetic + strain + contact; }
   double scale = 0;  // the larger of kinetic and stored energy at the start and the largest work put in
 };
@@ -67,7 +73,8 @@ struct BookedStep {  // what an accepted step was solved with; the model is stil
 // Forces that do not come from contacts, and the loss of bulk, bonds and supports.
 void book_motion(const BookedStep& step, Ledger& ledger);
 
-// m, by which a contact's spring is pressed as a step begins: by its force, and where it has taken over from another as much more as it lies deeper.
+// m, by which a contact's spring is pressed as a step begins: by its force, and where it has taken over from another as
+// much more as it lies deeper.
 double pressed_at_start(const Contact& contact);
 
 // Contacts of what is awake before and after a step.

@@ -12,7 +12,8 @@ namespace talus {
 
 namespace {
 
-// A load jumps where this part of its change comes in this part of t_end; a ramp that steep may as well be taken for a jump.
+// A load jumps where this part of its change comes in this part of t_end; a ramp that steep may as well be taken for a
+// jump.
 constexpr double least_jump = 0.01;
 constexpr double jump_time = 1e-9;
 
@@ -87,7 +88,9 @@ std::optional<LoadPath::Interval> LoadPath::next_jump() const {
   return first_jump(model_.scene, {std::max(from_, width), until_}, width);  // no load step asks what is at t = 0
 }
 
-bool LoadPath::meets_jump() const { return next_jump().has_value(); }
+bool LoadPath::meets_jump() const {
+  return next_jump().has_value();
+}
 
 void LoadPath::cut(double part) {
   if (std::exchange(unloaded_, false)) {
@@ -112,7 +115,9 @@ std::string load_text(const Model& model) {
   const std::string time = "t = " + std::to_string(model.time) + " s";
   if (way.part == 1) return time;
   char part[100];
-  std::snprintf(part, sizeof part, " and %.3g %% of %s", 100 * way.part, way.from == LoadWay::nothing ? "gravity and what else is there from the start" : "the way that loads or supports jump there");
+  std::snprintf(part, sizeof part, " and %.3g %% of %s", 100 * way.part,
+                way.from == LoadWay::nothing ? "gravity and what else is there from the start"
+                                             : "the way that loads or supports jump there");
   return time + part;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// A load step of a static run, or a part of one: forces grow linearly over it, from nothing before the first. Friction's work too is that of the whole
-// step: what slides to and fro while equilibrium is looked for has not done so in the rock.
+// A load step of a static run, or a part of one: forces grow linearly over it, from nothing before the first.
+// Friction's work too is that of the whole step: what slides to and fro while equilibrium is looked for has not done so
+// in the rock.
 #include <optional>
 #include <vector>
 

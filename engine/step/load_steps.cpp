@@ -25,11 +25,14 @@ constexpr int most_short_increments = 60;
 
 // The search has left all that there is: what bends far does where loads come at once.
 bool flown_off(const Model& model) {
-  return std::ranges::any_of(model.blocks, [&](const BlockState& block) { return !(block.shift.norm() < 100 * model.extent); });
+  return std::ranges::any_of(model.blocks,
+                             [&](const BlockState& block) { return !(block.shift.norm() < 100 * model.extent); });
 }
 
 // J/m, by contacts.
-double lost(const Ledger& ledger) { return ledger.friction_work + ledger.numerical_flow; }
+double lost(const Ledger& ledger) {
+  return ledger.friction_work + ledger.numerical_flow;
+}
 
 class Unstressed {  // blocks without their initial stress, while this lives
  public:
@@ -53,7 +56,12 @@ class Unstressed {  // blocks without their initial stress, while this lives
 }  // namespace
 
 LoadSteps::LoadSteps(StepParts& parts)
-    : parts_(parts), model_(parts.model), plan_(parts.plan), totals_(parts.totals), ledger_(parts.ledger), equilibrium_(parts) {}
+    : parts_(parts),
+      model_(parts.model),
+      plan_(parts.plan),
+      totals_(parts.totals),
+      ledger_(parts.ledger),
+      equilibrium_(parts) {}
 
 StepReport LoadSteps::step(double to, bool first) {
   const StepReport report = take(to, first);
@@ -75,7 +83,8 @@ StepReport LoadSteps::take(double to, bool first) {
   return due.empty() ? raise_load(to, first) : break_bonds(due);
 }
 
-// Where no bond can fail. What slides to and fro in it is followed to where it turns round, in parts of its time, and of their way where loads jump.
+// Where no bond can fail. What slides to and fro in it is followed to where it turns round, in parts of its time, and
+// of their way where loads jump.
 StepReport LoadSteps::load(double to, bool first) {
   const bool moving = moves_supports(model_.scene);  // the script may have let one go since the plan was made
   const bool follow = plan_.contacts && (loads_change(model_.scene) || constants_before_.given());
@@ -98,8 +107,8 @@ StepReport LoadSteps::load(double to, bool first) {
   return report;
 }
 
-// Whether it is as straight as its booking takes it for; the model is as before where it is not. As loads grow from nothing that is what the ledger as a
-// whole says: blocks turn and bend by the most then.
+// Whether it is as straight as its booking takes it for; the model is as before where it is not. As loads grow from
+// nothing that is what the ledger as a whole says: blocks turn and bend by the most then.
 bool LoadSteps::load_part(LoadPath& path, const ConstantsWay* constants, bool follow, bool first, StepReport& report) {
   const bool grows = path.from() == LoadWay::nothing;
   std::optional<Restored> attempt;
@@ -120,8 +129,10 @@ bool LoadSteps::load_part(LoadPath& path, const ConstantsWay* constants, bool fo
   }
   book(booking, first);
   if (attempt || closure) {
-    const double given_off = closure ? closure->work(model_, lost(ledger_) - lost(before)) : 0, after = parts_.energies().unexplained;
-    const Trapezoid trapezoid = trapezoid_of(path, {grows ? rest - after - std::max(given_off, 0.0) : given_off, after}, before, ledger_, model_.scene.time);
+    const double given_off = closure ? closure->work(model_, lost(ledger_) - lost(before)) : 0,
+                 after = parts_.energies().unexplained;
+    const Trapezoid trapezoid = trapezoid_of(path, {grows ? rest - after - std::max(given_off, 0.0) : given_off, after},
+                                             before, ledger_, model_.scene.time);
     if (attempt && trapezoid == Trapezoid::too_long) {
       ledger_ = before;
       return false;
@@ -143,7 +154,8 @@ void LoadSteps::cut(LoadPath& path, double part) {
   ++totals_.cuts;
 }
 
-// The energy stored is linear in an initial stress, which grows in the first load step as the loads do: half of what it has put in.
+// The energy stored is linear in an initial stress, which grows in the first load step as the loads do: half of what it
+// has put in.
 void LoadSteps::book(const LoadStepBooking& booking, bool first) {
   if (first && plan_.initial_stress) {
     const double all = parts_.energies().strain;
@@ -153,29 +165,32 @@ void LoadSteps::book(const LoadStepBooking& booking, bool first) {
   booking.book(model_, parts_.supports, ledger_);
 }
 
-// How far a load step may go towards `to`: what is held or supported moves no farther in it than a step in motion may, or blocks that it pushes
-// would be held back in its search and slide by steps of that. Where a table jumps there is no such time.
+// How far a load step may go towards `to`: what is held or supported moves no farther in it than a step in motion may,
+// or blocks that it pushes would be held back in its search and slide by steps of that. Where a table jumps there is no
+// such time.
 double LoadSteps::reachable(double to) const {
   const double from = model_.time, most = model_.scene.time.displacement_ratio * model_.extent;
   double until = to;
   for (int looks = 0; looks < 40; ++looks) {
     double far = 0;
-    for (const Fixity& fixity : model_.scene.fixities) far = std::max(far, (fixity.moved(until) - fixity.moved(from)).norm());
+    for (const Fixity& fixity : model_.scene.fixities)
+      far = std::max(far, (fixity.moved(until) - fixity.moved(from)).norm());
     if (far <= most * (1 + 1e-9)) return until;
     until = from + (until - from) * std::max(0.5, most / far);
   }
   return to;
 }
 
-// How far it is to where the first bond comes to its strength if utilisations go on as they have come up, as LoadPath::length. Farther each time
-// that it has not come to it.
+// How far it is to where the first bond comes to its strength if utilisations go on as they have come up, as
+// LoadPath::length. Farther each time that it has not come to it.
 double LoadSteps::foreseen(const LoadPath& path, double utilisation) const {
   const double pace = path.jumps() ? pace_ : utilisation / path.from();
   const double ahead = (1 + model_.scene.fracture.overshoot / 2 - utilisation) / pace;
   return pace > 0 && ahead > 0 ? ahead * std::pow(2.0, short_increments_) : path.length();
 }
 
-// 1/s, or over all of a jump of loads, at which utilisations come up at least; of a jump that has just begun nobody knows.
+// 1/s, or over all of a jump of loads, at which utilisations come up at least; of a jump that has just begun nobody
+// knows.
 double LoadSteps::pace(const LoadPath& path, double utilisation) const {
   if (path.jumps()) return pace_ > 0 ? pace_ : std::numeric_limits<double>::infinity();
   return std::max(pace_, path.from() > 0 ? utilisation / path.from() : 0);
@@ -194,11 +209,16 @@ StepReport LoadSteps::raise_load(double to, bool first) {
   for (int cuts = 0;; ++cuts) {
     Restored attempt(model_);
     path.begin();
-    const IncrementBooking booking{{model_, parts_.supports, path.begins_at(), first, constants_before_}, BridgeBooking(model_), closure, rest, first};
+    const IncrementBooking booking{{model_, parts_.supports, path.begins_at(), first, constants_before_},
+                                   BridgeBooking(model_),
+                                   closure,
+                                   rest,
+                                   first};
     path.end();
     EquilibriumSearch search;
     search.most_solves = most_search_solves;
-    search.may_jump = (before + pace(path, before) * path.length() <= strength && !path.meets_jump()) || path.is_shortest();
+    search.may_jump =
+        (before + pace(path, before) * path.length() <= strength && !path.meets_jump()) || path.is_shortest();
     const bool found = equilibrium_.balance(search);
     search.report.cuts = cuts;
     if (!found) vain += search.report.iterations;
@@ -223,13 +243,17 @@ StepReport LoadSteps::raise_load(double to, bool first) {
   }
 }
 
-// `raised`: by how much utilisations have come up. False, and nothing is booked: contacts bend the increment too much for its trapezoids.
+// `raised`: by how much utilisations have come up. False, and nothing is booked: contacts bend the increment too much
+// for its trapezoids.
 bool LoadSteps::book(const IncrementBooking& booking, LoadPath& path, bool jumped, double raised) {
   const Ledger ledger = ledger_;
   book(booking.loads, booking.first);
   booking.bridges.book(model_, ledger_);
-  const double after = parts_.energies().unexplained, given_off = booking.closure.work(model_, lost(ledger_) - lost(ledger));
-  const Trapezoid trapezoid = trapezoid_of(path, {path.from_nothing() && !jumped ? booking.rest - after : given_off, after}, ledger, ledger_, model_.scene.time);
+  const double after = parts_.energies().unexplained,
+               given_off = booking.closure.work(model_, lost(ledger_) - lost(ledger));
+  const Trapezoid trapezoid =
+      trapezoid_of(path, {path.from_nothing() && !jumped ? booking.rest - after : given_off, after}, ledger, ledger_,
+                   model_.scene.time);
   if (!jumped && trapezoid == Trapezoid::too_long) {
     ledger_ = ledger;
     return false;

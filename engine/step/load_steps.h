@@ -1,6 +1,6 @@
 #pragma once
-// Static loading: increments of load that stop where the first bond reaches its strength, and bonds that fail under a load
-// held until nothing more breaks.
+// Static loading: increments of load that stop where the first bond reaches its strength, and bonds that fail under a
+// load held until nothing more breaks.
 #include <string>
 #include <vector>
 
@@ -16,8 +16,9 @@ class LoadSteps {
  public:
   explicit LoadSteps(StepParts& parts);
 
-  // Equilibrium under the loads of a later time, `to` at most, or under the same load after the bonds that the last step
-  // overstressed have failed. `first`: nothing was loaded before. Throws RunError where there is none and nothing has failed yet.
+  // Equilibrium under the loads of a later time, `to` at most, or under the same load after the bonds that the last
+  // step overstressed have failed. `first`: nothing was loaded before. Throws RunError where there is none and nothing
+  // has failed yet.
   StepReport step(double to, bool first);
   void before_change();  // of materials or joints, by the script: what that puts in is booked with the next load step
   std::string collapse_note() const;  // of a load step that found no equilibrium
@@ -55,8 +56,9 @@ class LoadSteps {
   Equilibrium equilibrium_;
   std::string collapse_;
   Constants constants_before_;  // where the script has changed them since the last load step
-  int short_increments_ = 0;  // of load, one after the other
-  double pace_ = 0;           // 1/s, or in a jump of loads over all of it, at which utilisations came up with the last of them
+  int short_increments_ = 0;    // of load, one after the other
+  // 1/s, or in a jump of loads over all of it, at which utilisations came up with the last of them
+  double pace_ = 0;
 };
 
 }  // namespace talus

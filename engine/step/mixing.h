@@ -1,6 +1,6 @@
 #pragma once
-// Anderson's mixing (Anderson 1965; Walker & Ni 2011) of a fixed-point iteration x -> x + change(x): the next x is where the last
-// few changes, taken for linear, would cancel.
+// Anderson's mixing (Anderson 1965; Walker & Ni 2011) of a fixed-point iteration x -> x + change(x): the next x is
+// where the last few changes, taken for linear, would cancel.
 #include <Eigen/Cholesky>
 #include <vector>
 
@@ -10,7 +10,8 @@ namespace talus {
 
 class Mixing {
  public:
-  explicit Mixing(int memory = 8) : memory_(memory), differences_(size_t(memory)), products_(memory, memory) {}  // changes that are mixed
+  // changes that are mixed
+  explicit Mixing(int memory = 8) : memory_(memory), differences_(size_t(memory)), products_(memory, memory) {}
 
   // The point to go on from, after `from` was moved by `change`.
   const Vector& next(const Vector& from, const Vector& change) {
@@ -32,13 +33,13 @@ class Mixing {
   }
 
  private:
-  struct Difference {  // between two points that followed each other
+  struct Difference {        // between two points that followed each other
     Vector change, reached;  // reached: of where they were moved to
   };
   Difference& difference(int a) { return differences_[size_t((oldest_ + a) % memory_)]; }
 
-  // `along`: the products of the differences with `change`, from which and from those with the last change come those with the new
-  // difference. It gets one more.
+  // `along`: the products of the differences with `change`, from which and from those with the last change come those
+  // with the new difference. It gets one more.
   void remember(const Vector& from, const Vector& change, Vector& along) {
     Vector with_new = along - along_;
     if (count_ == memory_) {
@@ -62,7 +63,7 @@ class Mixing {
 
   int memory_, count_ = 0, oldest_ = 0;  // of the ring of differences
   std::vector<Difference> differences_;
-  Eigen::MatrixXd products_;  // of the changes with each other
+  Eigen::MatrixXd products_;               // of the changes with each other
   Vector last_, last_change_, along_, x_;  // along_: products of the differences with last_change_
 };
 

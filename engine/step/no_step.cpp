@@ -9,49 +9,61 @@ namespace talus {
 void Stepper::give_up(const OpenCloseResult& result, double dt, int crushed) const {
   char text[400];
   if (crushed >= 0) {
-    std::snprintf(text, sizeof text,
-                  "t = %.9g s: %s would be squeezed to less than a tenth of its area: a pressure, load or speed of the scene is beyond what "
-                  "material.young, %.3g Pa, holds linearly",
-                  model_.time, block_name(model_, crushed).c_str(), model_.material(crushed).young);
+    std::snprintf(
+        text, sizeof text,
+        "t = %.9g s: %s would be squeezed to less than a tenth of its area: a pressure, load or speed of the scene is beyond what "
+        "material.young, %.3g Pa, holds linearly",
+        model_.time, block_name(model_, crushed).c_str(), model_.material(crushed).young);
     throw RunError(text);
   }
   if (result.singular_block >= 0) {
-    std::snprintf(text, sizeof text,
-                  "t = %.9g s: no step down to %.3g s has a solution: the inertia of %s is lost beside its stiffness; give a shorter time.dt",
-                  model_.time, dt, block_name(model_, result.singular_block).c_str());
+    std::snprintf(
+        text, sizeof text,
+        "t = %.9g s: no step down to %.3g s has a solution: the inertia of %s is lost beside its stiffness; give a shorter time.dt",
+        model_.time, dt, block_name(model_, result.singular_block).c_str());
     throw RunError(text);
   }
   if (result.converged) {
-    std::snprintf(text, sizeof text,
-                  "t = %.9g s: in a step of %.3g s a block would move farther than time.displacement_ratio, or turn by more than 0.1 rad, or where time.dt is given the thinnest "
-                  "block, allows, and time.dt_min lets none be shorter: give a smaller one, or a larger ratio",
-                  model_.time, dt);
+    std::snprintf(
+        text, sizeof text,
+        "t = %.9g s: in a step of %.3g s a block would move farther than time.displacement_ratio, or turn by more than 0.1 rad, or where time.dt is given the thinnest "
+        "block, allows, and time.dt_min lets none be shorter: give a smaller one, or a larger ratio",
+        model_.time, dt);
     throw RunError(text);
   }
   if (parts_.gas && parts_.gas->gives_up()) {
-    std::snprintf(text, sizeof text, "t = %.9g s: no step down to %.3g s has a gas pressure that agrees with the volume it leads to", model_.time, dt);
+    std::snprintf(text, sizeof text,
+                  "t = %.9g s: no step down to %.3g s has a gas pressure that agrees with the volume it leads to",
+                  model_.time, dt);
     throw RunError(text);
   }
   if (again_ > most_again) {
-    std::snprintf(text, sizeof text, "t = %.9g s: bonded blocks turn so much in a step of %.3g s that their bonds cannot follow, and time.dt_min lets none be shorter", model_.time, dt);
+    std::snprintf(
+        text, sizeof text,
+        "t = %.9g s: bonded blocks turn so much in a step of %.3g s that their bonds cannot follow, and time.dt_min lets none be shorter",
+        model_.time, dt);
     throw RunError(text);
   }
   if (bridge_motion_.gives_up()) {
-    std::snprintf(text, sizeof text, "t = %.9g s: no step down to %.3g s has softening bonds whose forces agree with how far it opens them", model_.time, dt);
+    std::snprintf(
+        text, sizeof text,
+        "t = %.9g s: no step down to %.3g s has softening bonds whose forces agree with how far it opens them",
+        model_.time, dt);
     throw RunError(text);
   }
   if (!std::isfinite(result.residual)) {
-    std::snprintf(text, sizeof text,
-                  "t = %.9g s: the forces on %s are beyond the largest number: gravity, a load, a stiffness or a speed of the scene "
-                  "is too large",
-                  model_.time, block_name(model_, std::max(result.worst_block, 0)).c_str());
+    std::snprintf(
+        text, sizeof text,
+        "t = %.9g s: the forces on %s are beyond the largest number: gravity, a load, a stiffness or a speed of the scene "
+        "is too large",
+        model_.time, block_name(model_, std::max(result.worst_block, 0)).c_str());
     throw RunError(text);
   }
-  std::snprintf(text, sizeof text,
-                "t = %.9g s: no step down to %.3g s is accepted: after %d iterations the contact forces on %s are out of "
-                "balance by %.3g of what meets there",
-                model_.time, dt, result.iterations, block_name(model_, std::max(result.worst_block, 0)).c_str(),
-                result.residual);
+  std::snprintf(
+      text, sizeof text,
+      "t = %.9g s: no step down to %.3g s is accepted: after %d iterations the contact forces on %s are out of "
+      "balance by %.3g of what meets there",
+      model_.time, dt, result.iterations, block_name(model_, std::max(result.worst_block, 0)).c_str(), result.residual);
   std::string message = text;
   for (const Contact& c : model_.contacts)
     if ((c.i == result.worst_block || c.j == result.worst_block) && message.size() < 900)

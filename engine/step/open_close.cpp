@@ -11,32 +11,37 @@ namespace {
 // Cost of a factor in pairs of sweeps, measured on packings: 6 µs a block times √(blocks / 1000) against 80 ns a
 // contact.
 constexpr double factor_per_pair = 75;
-// Contacts whose states change in ten pairs, part of all: below it sweeps may end before their pairs are done. 0.001 and 0.002 are no cheaper.
+// Contacts whose states change in ten pairs, part of all: below it sweeps may end before their pairs are done. 0.001
+// and 0.002 are no cheaper.
 constexpr double still_changing = 0.0005;
 constexpr int least_worth = 10, most_worth = 200;
-// Pairs before the first step of Newton's, and after each to put its states right, times the root of the number of blocks: what sweeps have
-// to carry from one end to the other. Half or twice as many cost a pile as much. In a plate that a blast cracks 20 are enough.
+// Pairs before the first step of Newton's, and after each to put its states right, times the root of the number of
+// blocks: what sweeps have to carry from one end to the other. Half or twice as many cost a pile as much. In a plate
+// that a blast cracks 20 are enough.
 constexpr double pairs_before = 2.5, pairs_between = 2.5;
 constexpr int pairs_before_bonded = 50, pairs_between_bonded = 20, least_pairs = 20;
-// Rounds in which neither what sweeps change halves nor the states that Newton's step contradicts fall to `fewer` of those of the round before, before
-// the splitting. With 0 piles of 1500 blocks are cut more and take a third more; by what sweeps change alone the crater's pile is split twice as often.
+// Rounds in which neither what sweeps change halves nor the states that Newton's step contradicts fall to `fewer` of
+// those of the round before, before the splitting. With 0 piles of 1500 blocks are cut more and take a third more; by
+// what sweeps change alone the crater's pile is split twice as often.
 constexpr int most_in_vain = 1;
 constexpr double fewer = 0.7;
-// Rounds at most: with 3 to 8 the crater comes apart in half the time, and with 3 and 5 its pile takes a tenth less than without a bound.
-// Where nothing pressed before the step, as in a wall that begins from zero gaps, fewer: one of 1600 bricks of 1 GPa takes 5.4 s for 6.0, and of 30 GPa 4.6 for 4.3.
+// Rounds at most: with 3 to 8 the crater comes apart in half the time, and with 3 and 5 its pile takes a tenth less
+// than without a bound. Where nothing pressed before the step, as in a wall that begins from zero gaps, fewer: one of
+// 1600 bricks of 1 GPa takes 5.4 s for 6.0, and of 30 GPa 4.6 for 4.3.
 constexpr int most_rounds = 5, most_rounds_unpressed = 2;
 using Carry = ContactSweeps::Carry;
 constexpr int none = -1, any = std::numeric_limits<int>::max();  // contacts whose states may still change
-constexpr int splittings = 80;    // iterations a round
-// Iterations in which no state changes: they are tried, with a factor of their own. With 4 a wall of 30 GPa takes a sixth more.
+constexpr int splittings = 80;                                   // iterations a round
+// Iterations in which no state changes: they are tried, with a factor of their own. With 4 a wall of 30 GPa takes a
+// sixth more.
 constexpr int least_quiet = 16;
-constexpr int patience = 6;       // rounds that do not halve the change of the splitting, before the step is cut
-constexpr int most_full = 8;      // Newton's steps from the splitting's states
-// Newton's steps in equilibrium: before the splitting, and where nothing slides, before it is sought against more inertia.
+constexpr int patience = 6;   // rounds that do not halve the change of the splitting, before the step is cut
+constexpr int most_full = 8;  // Newton's steps from the splitting's states
+// Newton's steps in equilibrium: before the splitting, and where nothing slides, before it is sought against more
+// inertia.
 constexpr int newton_sliding = 4, newton_stuck = 15;
-constexpr int pairs_alone = 10000;  // where no factor is allowed: as tests/contact gives its candidates
-constexpr double sweep_tolerance =
-    1e-13;  // change of a pair, part of all forces: contacts are stiffer than blocks
+constexpr int pairs_alone = 10000;         // where no factor is allowed: as tests/contact gives its candidates
+constexpr double sweep_tolerance = 1e-13;  // change of a pair, part of all forces: contacts are stiffer than blocks
 
 bool presses_already(const ContactProblem& problem) {
   for (size_t k = 0; k < problem.contacts.rows().size(); ++k)
@@ -46,7 +51,8 @@ bool presses_already(const ContactProblem& problem) {
 
 }  // namespace
 
-OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, std::span<const ContactForces> reached) {
+OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
+                                 std::span<const ContactForces> reached) {
   OpenCloseResult result;
   start(problem);
   if (d.size() == 0) {
@@ -61,7 +67,8 @@ OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSetting
         normal_[k] = reached[k].n;
         shear_[k] = reached[k].t;
       }
-    if (settings.motion && !missed_ && result.residual <= settings.tolerance) {  // what was sought again concerns others
+    // what was sought again concerns others
+    if (settings.motion && !missed_ && result.residual <= settings.tolerance) {
       result.converged = true;
       return result;
     }
@@ -82,12 +89,15 @@ OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSetting
   return result;
 }
 
-// Newton's steps where few states change, else the splitting. Contacts that do not slide have no states to look for in it: the
-// problem is convex.
-void OpenClose::solve_equilibrium(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, OpenCloseResult& result) {
+// Newton's steps where few states change, else the splitting. Contacts that do not slide have no states to look for in
+// it: the problem is convex.
+void OpenClose::solve_equilibrium(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
+                                  OpenCloseResult& result) {
   const auto& rows = problem.contacts.rows();
-  const bool slides = std::any_of(rows.begin(), rows.end(), [](const ContactRows& row) { return std::isfinite(row.cohesion); });
-  solve_by_newton(problem, settings, std::min(settings.max_iterations, slides ? newton_sliding : newton_stuck), d, result);
+  const bool slides =
+      std::any_of(rows.begin(), rows.end(), [](const ContactRows& row) { return std::isfinite(row.cohesion); });
+  solve_by_newton(problem, settings, std::min(settings.max_iterations, slides ? newton_sliding : newton_stuck), d,
+                  result);
   if (!slides || result.converged || missed_ || result.singular_block >= 0 || !std::isfinite(result.residual)) return;
   forces_at_present(problem);
   take_states(problem);
@@ -95,9 +105,9 @@ void OpenClose::solve_equilibrium(ContactProblem& problem, const OpenCloseSettin
   result.missed = !result.converged && missed_;
 }
 
-// Sweeps, and where they are slow Newton's steps from their states, each followed by sweeps from its forces, a few times, as long as that
-// halves what the sweeps still change, but for once; then the splitting, from what the sweeps changed least: a step of Newton's that led away
-// takes the forces along.
+// Sweeps, and where they are slow Newton's steps from their states, each followed by sweeps from its forces, a few
+// times, as long as that halves what the sweeps still change, but for once; then the splitting, from what the sweeps
+// changed least: a step of Newton's that led away takes the forces along.
 void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
                              OpenCloseResult& result) {
   const double tolerance = settings.tolerance;
@@ -109,7 +119,8 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
     return sweeps_.bonded() ? of_bonded : std::max(least_pairs, int(part * std::sqrt(blocks)));
   };
   const auto swept = [&](int most, int changing) {
-    result.converged = sweep(problem, {most, sweep_tolerance, worth, changing}, Carry::momentum, d, result) <= tolerance;
+    result.converged =
+        sweep(problem, {most, sweep_tolerance, worth, changing}, Carry::momentum, d, result) <= tolerance;
     take_states(problem);
   };
   struct {
@@ -131,7 +142,8 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
   double wrong_before = std::numeric_limits<double>::infinity();  // states
   int rounds = 0, in_vain = settings.split ? most_in_vain + 1 : 0;
   swept(3 * worth, any);
-  if (!result.converged && !settings.split) swept(pairs(pairs_before, pairs_before_bonded), int(still_changing * count));
+  if (!result.converged && !settings.split)
+    swept(pairs(pairs_before, pairs_before_bonded), int(still_changing * count));
   keep_least();
   while (in_vain <= most_in_vain && !result.converged && !missed_ && result.iterations < settings.max_iterations &&
          result.effort() < settings.most_effort) {
@@ -157,8 +169,8 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
   result.missed = !result.converged && missed_;
 }
 
-// The splitting, and whenever its states have settled Newton's whole steps from them. Where these lead away it goes on from
-// where it was, with springs for the states that it has found.
+// The splitting, and whenever its states have settled Newton's whole steps from them. Where these lead away it goes on
+// from where it was, with springs for the states that it has found.
 void OpenClose::solve_by_splitting(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
                                    OpenCloseResult& result) {
   const double tolerance = settings.tolerance;
@@ -169,7 +181,8 @@ void OpenClose::solve_by_splitting(ContactProblem& problem, const OpenCloseSetti
        rough = false) {
     ++result.iterations;
     factored_closed_.clear();
-    const auto progress = splitting_.run(problem, rough, quiet, splittings + 2 * quiet, {normal_, shear_, closed_, stuck_}, d);
+    const auto progress =
+        splitting_.run(problem, rough, quiet, splittings + 2 * quiet, {normal_, shear_, closed_, stuck_}, d);
     result.splittings += progress.iterations;
     if (!progress.factored) return;
     if (rough) continue;
@@ -195,7 +208,8 @@ void OpenClose::solve_by_splitting(ContactProblem& problem, const OpenCloseSetti
 void OpenClose::solve_by_sweeps(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result) {
   for (const Carry carry : {Carry::momentum, Carry::mixing})
     if (!result.converged && !(missed_ && carry == Carry::mixing))
-      result.converged = sweep(problem, {.most = pairs_alone, .enough = sweep_tolerance}, carry, d, result) <= tolerance;
+      result.converged =
+          sweep(problem, {.most = pairs_alone, .enough = sweep_tolerance}, carry, d, result) <= tolerance;
   result.missed = !result.converged && missed_;
 }
 
@@ -246,8 +260,7 @@ void OpenClose::take_forces(const ContactProblem& problem) {
   for (size_t k = 0; k < rows.size(); ++k) {
     normal_[k] = aimed_closed_[k] ? normal_force(rows[k], k) : 0;
     const double limit = friction_limit(rows[k], normal_[k]);
-    shear_[k] =
-        aimed_stuck_[k] ? std::clamp(rows[k].ks * slide_[k], -limit, limit) : std::copysign(limit, shear_[k]);
+    shear_[k] = aimed_stuck_[k] ? std::clamp(rows[k].ks * slide_[k], -limit, limit) : std::copysign(limit, shear_[k]);
   }
 }
 
@@ -255,12 +268,12 @@ void OpenClose::take_forces(const ContactProblem& problem) {
 void OpenClose::take_states(const ContactProblem& problem) {
   for (size_t k = 0; k < normal_.size(); ++k) {
     closed_[k] = normal_[k] > 0;
-    stuck_[k] =
-        std::abs(shear_[k]) < (1 - 1e-12) * friction_limit(problem.contacts.rows()[k], normal_[k]);
+    stuck_[k] = std::abs(shear_[k]) < (1 - 1e-12) * friction_limit(problem.contacts.rows()[k], normal_[k]);
   }
 }
 
-double OpenClose::sweep(const ContactProblem& problem, const ContactSweeps::End& end, ContactSweeps::Carry carry, Vector& d, OpenCloseResult& result) {
+double OpenClose::sweep(const ContactProblem& problem, const ContactSweeps::End& end, ContactSweeps::Carry carry,
+                        Vector& d, OpenCloseResult& result) {
   const auto progress = sweeps_.run(end, carry, normal_, shear_, d);
   result.sweeps += 2 * progress.pairs;
   result.sweep_change = progress.moved;

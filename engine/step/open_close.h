@@ -3,8 +3,8 @@
 // it. Motion is solved by sweeps over contact forces with Newton's steps between them, and by a splitting where these
 // do not get on; equilibrium by Newton's steps on the coupled Coulomb law where states have settled, else on the convex
 // potential of springs and of friction at a frozen normal force, and by the splitting where a few of them do not do
-// (docs/theory.md, § 6 and 7). A solution is accepted only when the residual of the coupled law, friction at the present
-// normal force, is below its tolerance in every block: not when the states have stopped flipping.
+// (docs/theory.md, § 6 and 7). A solution is accepted only when the residual of the coupled law, friction at the
+// present normal force, is below its tolerance in every block: not when the states have stopped flipping.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <limits>
@@ -17,7 +17,7 @@
 
 namespace talus {
 
-constexpr double sweep_effort = 0.006;  // of a factor and what is solved with it: a sweep over some contacts a block
+constexpr double sweep_effort = 0.006;     // of a factor and what is solved with it: a sweep over some contacts a block
 constexpr double splitting_effort = 0.08;  // an iteration of the splitting
 
 struct OpenCloseResult {
@@ -27,7 +27,8 @@ struct OpenCloseResult {
   int sweeps = 0;
   int splittings = 0;  // iterations
   int pivots = 0;      // sets of states that pivots found, each as dear as a factor
-  double effort() const { return iterations + pivots + sweep_effort * sweeps + splitting_effort * splittings; }  // factors
+  // factors
+  double effort() const { return iterations + pivots + sweep_effort * sweeps + splitting_effort * splittings; }
   bool split = false;       // the splitting found it
   double sweep_change = 0;  // N, of the forces in the last pair
   double residual = 0;      // largest over blocks, of force scale
@@ -48,9 +49,10 @@ struct OpenCloseSettings {
 
 class OpenClose {
  public:
-  // Solves for d, from where it is, or where it is empty from the contacts' last states and forces. `reached`, per contact: in motion, where
-  // a solution that missed contacts had come to (`forces`), or n < 0 where d tells it.
-  OpenCloseResult solve(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, std::span<const ContactForces> reached = {});
+  // Solves for d, from where it is, or where it is empty from the contacts' last states and forces. `reached`, per
+  // contact: in motion, where a solution that missed contacts had come to (`forces`), or n < 0 where d tells it.
+  OpenCloseResult solve(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
+                        std::span<const ContactForces> reached = {});
   ContactForces forces(size_t contact) const { return {normal_[contact], shear_[contact]}; }  // of the last sweeps
   // Residual at d = 0 without solving.
   OpenCloseResult judge(const ContactProblem& problem);
@@ -63,16 +65,19 @@ class OpenClose {
   void start(const ContactProblem& problem);
   void evaluate(const ContactProblem& problem, const Vector& d);
   void residual(const ContactProblem& problem, bool coupled, Vector& r) const;
-  double sweep(const ContactProblem& problem, const ContactSweeps::End& end, ContactSweeps::Carry carry, Vector& d, OpenCloseResult& result);
+  double sweep(const ContactProblem& problem, const ContactSweeps::End& end, ContactSweeps::Carry carry, Vector& d,
+               OpenCloseResult& result);
   void take_states(const ContactProblem& problem);
   void forces_at_present(const ContactProblem& problem);
   void take_forces(const ContactProblem& problem);
-  void solve_motion(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
-                    OpenCloseResult& result);
-  void solve_by_splitting(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, OpenCloseResult& result);
+  void solve_motion(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, OpenCloseResult& result);
+  void solve_by_splitting(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
+                          OpenCloseResult& result);
   void solve_by_sweeps(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result);
-  void solve_equilibrium(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, OpenCloseResult& result);
-  void solve_by_newton(ContactProblem& problem, const OpenCloseSettings& settings, int most, Vector& d, OpenCloseResult& result);
+  void solve_equilibrium(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
+                         OpenCloseResult& result);
+  void solve_by_newton(ContactProblem& problem, const OpenCloseSettings& settings, int most, Vector& d,
+                       OpenCloseResult& result);
   int changed_states(const ContactProblem& problem) const;
   void continue_states(const ContactProblem& problem);
   bool factor(ContactProblem& problem, OpenCloseResult& result);
@@ -90,7 +95,8 @@ class OpenClose {
   struct Change;
   std::vector<Change> coupled_changes(const ContactProblem& problem) const;
   class KnownPart;
-  void solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, double leaves, Vector& p) const;
+  void solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, double leaves,
+                     Vector& p) const;
   void follow_friction(ContactProblem& problem, Vector& d);
   void full_step(ContactProblem& problem, Vector& d, OpenCloseResult& result);
   bool coupled_step(ContactProblem& problem, Vector& d, OpenCloseResult& result);
@@ -99,7 +105,7 @@ class OpenClose {
   // d was changed, kd_ with it: the same.
   void arrive(const ContactProblem& problem, const Vector& d, OpenCloseResult& result);
   void go_to(const ContactProblem& problem, const Vector& d, OpenCloseResult& result);  // d was changed alone
-  void multiply(const ContactProblem& problem);  // kp_ = K p_
+  void multiply(const ContactProblem& problem);                                         // kp_ = K p_
   double contact_slope(const ContactRows& row, size_t k, double step, double gap_rate, double slide_rate,
                        double factor) const;
   double normal_force(const ContactRows& row, size_t k) const { return row.kn * std::max(0.0, -gap_[k]); }
@@ -110,7 +116,8 @@ class OpenClose {
   std::vector<double> gap_, slide_, limit_;  // per contact, at the present d; limit_: frozen friction limit, N
   std::vector<double> pace_, last_change_;   // of the limits: part of a change that is taken; last change, N
   std::vector<char> closed_, stuck_, factored_closed_, factored_stuck_;
-  std::vector<char> aimed_closed_, aimed_stuck_;  // which d is sought with: the factored ones, but for contacts whose states pivots have found since
+  // which d is sought with: the factored ones, but for contacts whose states pivots have found since
+  std::vector<char> aimed_closed_, aimed_stuck_;
   struct Pivoted {
     std::vector<int> place;  // of each contact among these, or -1
     Compliance compliance;   // m/N, as factored: of gap and slide of each under forces along them

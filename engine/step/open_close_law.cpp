@@ -1,9 +1,9 @@
 // The law of open–close: gaps, forces, residual, and what it is judged by.
-#include "step/open_close.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "step/open_close.h"
 
 namespace talus {
 
@@ -61,7 +61,8 @@ void OpenClose::judge_residual(const ContactProblem& problem, bool as_it_lies, O
   std::vector<double> scale = problem.system.force_scale, rounding = problem.system.force_rounding;
   const auto& rows = problem.contacts.rows();
   for (size_t k = 0; k < rows.size(); ++k) {
-    const double normal = normal_force(rows[k], k), shear = std::min(rows[k].ks * std::abs(slide_[k]), friction_limit(rows[k], normal));
+    const double normal = normal_force(rows[k], k),
+                 shear = std::min(rows[k].ks * std::abs(slide_[k]), friction_limit(rows[k], normal));
     for (const int block : {rows[k].i, rows[k].j}) {
       scale[block] += std::max(normal, shear);  // cohesion holds faces that are not pressed
       if (as_it_lies) rounding[block] += rows[k].kn * rows[k].rounding;
@@ -90,8 +91,7 @@ OpenCloseResult OpenClose::judge(const ContactProblem& problem) {
   return result;
 }
 
-OpenCloseResult OpenClose::judge(const ContactProblem& problem,
-                                 const Vector& d) {
+OpenCloseResult OpenClose::judge(const ContactProblem& problem, const Vector& d) {
   OpenCloseResult result;
   start(problem);
   problem.system.matrix.multiply(d, kd_);
@@ -108,16 +108,19 @@ void OpenClose::store(const ContactRows& row, double factor, const Vector& d, Co
   const double limit = friction_limit(row, contact.normal_force), trial = row.ks * slide;
   contact.shear_force = std::clamp(trial, -limit, limit);
   contact.state = contact.normal_force <= 0 && limit <= 0 ? ContactState::open
-                  : contact.shear_force == trial ? ContactState::stick
-                                                 : ContactState::slip;
+                  : contact.shear_force == trial          ? ContactState::stick
+                                                          : ContactState::slip;
   const double slid = slide - contact.stretch;
   contact.stretch = slide;
-  if (contact.state == ContactState::open) contact.slip = contact.slid = contact.stretch = contact.load_slip = contact.load_climb = contact.load_normal = contact.load_shear = 0;
+  if (contact.state == ContactState::open)
+    contact.slip = contact.slid = contact.stretch = contact.load_slip = contact.load_climb = contact.load_normal =
+        contact.load_shear = 0;
   contact.gap = gap - contact.offset;
   contact.slope = row.climb;
   if (contact.offset > 0) {
     const double climbed = std::min(contact.height, row.climb * slid);
-    contact.offset = std::clamp(-contact.gap, 0.0, std::max(0.0, contact.offset - climbed));  // shrinks as the bodies separate
+    // shrinks as the bodies separate
+    contact.offset = std::clamp(-contact.gap, 0.0, std::max(0.0, contact.offset - climbed));
     contact.height = std::min(contact.height - climbed, contact.offset);
   } else if (gap > 0) {
     contact.offset = 0;  // what a bond was pressed with is gone

@@ -15,8 +15,9 @@ constexpr double slope_part = 0.05;
 // Products with the matrix in one unsymmetric solve; each costs a back-substitution, a tenth of a factor.
 constexpr int most_products = 40;
 constexpr double least_step = 1.0 / 64;
-// What a solve of the coupled law leaves of the motions it is solved by: as states change anyway, with 1e-2 more of them are contradicted; and where they
-// are right. There 3e-3 leaves some blocks a tenth or more of their residual, which then looks as if Newton's steps did not get on.
+// What a solve of the coupled law leaves of the motions it is solved by: as states change anyway, with 1e-2 more of
+// them are contradicted; and where they are right. There 3e-3 leaves some blocks a tenth or more of their residual,
+// which then looks as if Newton's steps did not get on.
 constexpr double coarse = 3e-3, fine = 3e-5;
 
 }  // namespace
@@ -110,8 +111,8 @@ void OpenClose::convex_step(ContactProblem& problem, Vector& d, OpenCloseResult&
   }
 }
 
-// Where the present states differ from the factored ones, and friction at slipping contacts, which moves with the normal
-// force.
+// Where the present states differ from the factored ones, and friction at slipping contacts, which moves with the
+// normal force.
 std::vector<OpenClose::Change> OpenClose::coupled_changes(const ContactProblem& problem) const {
   const auto& rows = problem.contacts.rows();
   const double f = problem.contacts.factor();
@@ -128,8 +129,8 @@ std::vector<OpenClose::Change> OpenClose::coupled_changes(const ContactProblem& 
   return changes;
 }
 
-// 1 + VᵀM⁻¹U of the contacts that pivots have moved, among those that differ from M, factored. What they do to each other is known from the
-// pivots; where they are as stiff as M is not, and so much of it that GMRES would not end.
+// 1 + VᵀM⁻¹U of the contacts that pivots have moved, among those that differ from M, factored. What they do to each
+// other is known from the pivots; where they are as stiff as M is not, and so much of it that GMRES would not end.
 class OpenClose::KnownPart {
  public:
   KnownPart(const OpenClose& own, const ContactProblem& problem, const std::vector<Change>& changes) {
@@ -157,8 +158,10 @@ class OpenClose::KnownPart {
 };
 
 // (M + U Vᵀ) p = r with the factored M, by the motions y = Vᵀp of the contacts that differ from it alone:
-// (1 + VᵀM⁻¹U) y = VᵀM⁻¹r, unsymmetric, so by GMRES, from the right of which stands what is known of it; then p = M⁻¹(r - U y).
-void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r, double leaves, Vector& p) const {
+// (1 + VᵀM⁻¹U) y = VᵀM⁻¹r, unsymmetric, so by GMRES, from the right of which stands what is known of it; then p = M⁻¹(r
+// - U y).
+void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>& changes, const Vector& r,
+                              double leaves, Vector& p) const {
   if (changes.empty()) return problem.solver.solve(r, p);
   const auto count = Eigen::Index(changes.size());
   const auto motions = [&](const Vector& x, Vector& y) {
@@ -191,7 +194,8 @@ void OpenClose::solve_coupled(ContactProblem& problem, const std::vector<Change>
     problem.solver.solve(force, p);
 }
 
-// From the solution with the aimed states and frozen friction at what slips to the one in which it follows the normal force.
+// From the solution with the aimed states and frozen friction at what slips to the one in which it follows the normal
+// force.
 void OpenClose::follow_friction(ContactProblem& problem, Vector& d) {
   const auto& rows = problem.contacts.rows();
   const double f = problem.contacts.factor();
@@ -199,7 +203,8 @@ void OpenClose::follow_friction(ContactProblem& problem, Vector& d) {
   r_.setZero(d.size());
   for (size_t k = 0; k < rows.size(); ++k) {
     const ContactRows& row = rows[k];
-    if (const int more = aimed_closed_[k] - factored_closed_[k]) changes.push_back({&row, false, false, more * f * row.kn});
+    if (const int more = aimed_closed_[k] - factored_closed_[k])
+      changes.push_back({&row, false, false, more * f * row.kn});
     if (const int more = aimed_stuck_[k] - factored_stuck_[k]) changes.push_back({&row, true, true, more * f * row.ks});
     if (!aimed_closed_[k] || aimed_stuck_[k] || !(row.friction > 0)) continue;
     const double way = shear_[k] < 0 ? -1 : 1;
@@ -253,14 +258,12 @@ bool OpenClose::coupled_step(ContactProblem& problem, Vector& d, OpenCloseResult
 double OpenClose::contact_slope(const ContactRows& row, size_t k, double step, double gap_rate, double slide_rate,
                                 double factor) const {
   const double gap = gap_[k] + step * gap_rate, slide = slide_[k] + step * slide_rate;
-  return (-row.kn * std::max(0.0, -gap) * gap_rate +
-          std::clamp(row.ks * slide, -limit_[k], limit_[k]) * slide_rate) /
+  return (-row.kn * std::max(0.0, -gap) * gap_rate + std::clamp(row.ks * slide, -limit_[k], limit_[k]) * slide_rate) /
          factor;
 }
 
 // Root of the potential's slope along p; the slope is a rising, piecewise linear function of the step.
-double OpenClose::line_search(const ContactProblem& problem, const Vector& p, double slope0,
-                              double curvature) const {
+double OpenClose::line_search(const ContactProblem& problem, const Vector& p, double slope0, double curvature) const {
   const auto& rows = problem.contacts.rows();
   std::vector<double> gap_rate(rows.size()), slide_rate(rows.size());
   const auto contact_slopes = [&](double step) {

@@ -12,12 +12,14 @@ namespace talus {
 namespace {
 
 // Measured on the pile of a cast blast, 2362 blocks: with 60 to 100 contacts at a time and six tries a third dearer.
-constexpr int tries = 4;                       // sets of states that pivots find
-constexpr int least_many = 24, many_part = 70;  // contradicted at first: more than these, and one pressed contact in so many, are too many
-constexpr int growth = 3;                      // times as many, with those that join them
-constexpr int most_corrections = 4;                   // Newton's steps where states are right: each takes a hundredth of the residual
-constexpr double least_gain = 0.1;                    // a step that leaves more of it does not get on
-constexpr double slack = 1e-9;                 // of a friction limit, which equality with is no contradiction
+constexpr int tries = 4;  // sets of states that pivots find
+// contradicted at first: more than these, and one pressed contact in so many, are too many
+constexpr int least_many = 24, many_part = 70;
+constexpr int growth = 3;  // times as many, with those that join them
+// Newton's steps where states are right: each takes a hundredth of the residual
+constexpr int most_corrections = 4;
+constexpr double least_gain = 0.1;  // a step that leaves more of it does not get on
+constexpr double slack = 1e-9;      // of a friction limit, which equality with is no contradiction
 
 SparseColumn column(const ContactRows& row, const Row& of_i, const Row& of_j) {
   SparseColumn column;
@@ -32,7 +34,9 @@ SparseColumn column(const ContactRows& row, const Row& of_i, const Row& of_j) {
   return column;
 }
 
-bool bounded(const ContactRows& row) { return std::isfinite(row.friction) && std::isfinite(row.cohesion); }
+bool bounded(const ContactRows& row) {
+  return std::isfinite(row.friction) && std::isfinite(row.cohesion);
+}
 
 }  // namespace
 
@@ -51,7 +55,8 @@ bool OpenClose::contradicted(const ContactProblem& problem, size_t k) const {
   if (closed_[k] != aimed_closed_[k]) return true;
   const double limit = friction_limit(row, normal_force(row, k)), shear = row.ks * slide_[k];
   if (limit == 0) return false;
-  return aimed_stuck_[k] ? std::abs(shear) > limit * (1 + slack) : std::copysign(1, shear_[k]) * shear < limit * (1 - slack);
+  return aimed_stuck_[k] ? std::abs(shear) > limit * (1 + slack)
+                         : std::copysign(1, shear_[k]) * shear < limit * (1 - slack);
 }
 
 int OpenClose::contradictions(const ContactProblem& problem) const {
@@ -60,11 +65,12 @@ int OpenClose::contradictions(const ContactProblem& problem) const {
   return count;
 }
 
-// Newton's steps where states are right, as long as they get on: what pivots have let go or caught, a thousand times stiffer than what is
-// around, may be too much for solves in single precision with the factor of before.
+// Newton's steps where states are right, as long as they get on: what pivots have let go or caught, a thousand times
+// stiffer than what is around, may be too much for solves in single precision with the factor of before.
 void OpenClose::correct(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result) {
   double before = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < most_corrections && result.residual > tolerance && result.residual < least_gain * before; ++step) {
+  for (int step = 0; step < most_corrections && result.residual > tolerance && result.residual < least_gain * before;
+       ++step) {
     before = result.residual;
     full_step(problem, d, result);
   }
@@ -72,7 +78,8 @@ void OpenClose::correct(ContactProblem& problem, double tolerance, Vector& d, Op
 
 // After predict(). Where it does not lead on, d is left where it was.
 void OpenClose::follow_pivots(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result) {
-  const int closed = int(std::count(closed_.begin(), closed_.end(), 1)), many = std::max(least_many, closed / many_part);
+  const int closed = int(std::count(closed_.begin(), closed_.end(), 1)),
+            many = std::max(least_many, closed / many_part);
   Chosen chosen;
   pivoted_.reset();
   for (int k = 0; result.residual > tolerance; ++k) {
@@ -80,7 +87,8 @@ void OpenClose::follow_pivots(ContactProblem& problem, double tolerance, Vector&
     if (wrong == 0) {
       correct(problem, tolerance, d, result);
       wrong = contradictions(problem);
-      if (wrong == 0 && result.residual > tolerance && (aimed_closed_ != factored_closed_ || aimed_stuck_ != factored_stuck_)) {
+      if (wrong == 0 && result.residual > tolerance &&
+          (aimed_closed_ != factored_closed_ || aimed_stuck_ != factored_stuck_)) {
         closed_ = aimed_closed_;
         stuck_ = aimed_stuck_;
         if (!factor(problem, result)) return;
@@ -103,9 +111,9 @@ void OpenClose::follow_pivots(ContactProblem& problem, double tolerance, Vector&
   }
 }
 
-// States to aim at: of the contradicted contacts by pivots, all others as they are. What the outcome contradicts joins them,
-// until there is none. Friction that slips elsewhere is frozen meanwhile; where it then follows and contradicts them, it is sought with them
-// the next time. Whether pivots end, with at most so many.
+// States to aim at: of the contradicted contacts by pivots, all others as they are. What the outcome contradicts joins
+// them, until there is none. Friction that slips elsewhere is frozen meanwhile; where it then follows and contradicts
+// them, it is sought with them the next time. Whether pivots end, with at most so many.
 bool OpenClose::find_states(ContactProblem& problem, int most, Chosen& chosen, Vector& d) {
   const auto& rows = problem.contacts.rows();
   const bool again = !chosen.rows.empty();
@@ -146,8 +154,16 @@ void OpenClose::choose(const ContactProblem& problem, size_t k, Chosen& chosen) 
   chosen.can_be = chosen.can_be && bounded(row);
   chosen.is_one[k] = 1;
   chosen.rows.push_back(int(k));
-  chosen.contacts.push_back({.gap0 = 0, .slide0 = 0, .kn = row.kn, .ks = row.ks, .friction = row.friction, .cohesion = row.cohesion,
-                             .closed = bool(closed_[k]), .stuck = bool(aimed_stuck_[k]), .normal = 0, .shear = shear_[k]});
+  chosen.contacts.push_back({.gap0 = 0,
+                             .slide0 = 0,
+                             .kn = row.kn,
+                             .ks = row.ks,
+                             .friction = row.friction,
+                             .cohesion = row.cohesion,
+                             .closed = bool(closed_[k]),
+                             .stuck = bool(aimed_stuck_[k]),
+                             .normal = 0,
+                             .shear = shear_[k]});
 }
 
 void OpenClose::choose_slipping_beside(const ContactProblem& problem, Chosen& chosen) const {
@@ -157,7 +173,9 @@ void OpenClose::choose_slipping_beside(const ContactProblem& problem, Chosen& ch
     for (const int block : {rows[size_t(k)].i, rows[size_t(k)].j})
       if (problem.dofs[size_t(block)] > 0) touched[size_t(block)] = 1;
   for (size_t k = 0; k < rows.size(); ++k)
-    if (closed_[k] && !aimed_stuck_[k] && bounded(rows[k]) && (touched[size_t(rows[k].i)] || touched[size_t(rows[k].j)])) choose(problem, k, chosen);
+    if (closed_[k] && !aimed_stuck_[k] && bounded(rows[k]) &&
+        (touched[size_t(rows[k].i)] || touched[size_t(rows[k].j)]))
+      choose(problem, k, chosen);
 }
 
 // The forces of the chosen contacts that meet their law, and d with them.
@@ -175,7 +193,7 @@ bool OpenClose::pivot(ContactProblem& problem, Chosen& chosen, Vector& d) {
 
   const auto count = Eigen::Index(chosen.rows.size());
   if (!pivoted_) pivoted_.emplace(std::vector<int>(rows.size(), -1), problem.solver.compliance());
-  std::vector<SparseColumn> columns;  // of those that joined
+  std::vector<SparseColumn> columns;          // of those that joined
   Vector held(2 * count), spring(2 * count);  // m, gap and slide; N/m: as factored
   for (Eigen::Index c = 0; c < count; ++c) {
     const auto k = size_t(chosen.rows[size_t(c)]);

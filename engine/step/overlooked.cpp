@@ -24,8 +24,14 @@ constexpr double unfelt = 1e-4;
 
 class Hindsight {
  public:
-  Hindsight(const Model& model, const ContactSearch& search, const std::vector<BlockState>& moved, double dt, double deepest)
-      : model_(model), search_(search), moved_(moved), dt_(dt), deepest_(deepest), ahead_(judged_ahead(model.scene.numerics, dt)) {
+  Hindsight(const Model& model, const ContactSearch& search, const std::vector<BlockState>& moved, double dt,
+            double deepest)
+      : model_(model),
+        search_(search),
+        moved_(moved),
+        dt_(dt),
+        deepest_(deepest),
+        ahead_(judged_ahead(model.scene.numerics, dt)) {
     for (const BlockPair& pair : search.near()) add(pair);
     if (thrown()) {
       for (const BlockPair& pair : near_on_the_way()) add(pair);
@@ -39,7 +45,9 @@ class Hindsight {
   bool any() const { return !pairs_.empty(); }
 
   bool presses_apart(const ContactTerms& contacts, const Vector& d) {
-    const auto pressed_in = [&](const ContactRows& row) { return -(row.gap0 + contacts.factor() * row.along(row.normal_i, row.normal_j, d)); };
+    const auto pressed_in = [&](const ContactRows& row) {
+      return -(row.gap0 + contacts.factor() * row.along(row.normal_i, row.normal_j, d));
+    };
     double most = 0;
     for (const ContactRows& row : contacts.rows()) most = std::max(most, pressed_in(row));
     for (const ContactRows& row : contacts.rows()) {
@@ -50,7 +58,9 @@ class Hindsight {
       if (pressed <= 0) continue;
       double& known = known_[at - pairs_.begin()];
       known = std::max(known, pressed + contact.offset);
-      if (pressed > unfelt * most && contact.normal_force <= 0 && !touches(contact, before) && !touches(contact, judged)) return true;
+      if (pressed > unfelt * most && contact.normal_force <= 0 && !touches(contact, before) &&
+          !touches(contact, judged))
+        return true;
     }
     return false;
   }
@@ -67,9 +77,11 @@ class Hindsight {
   }
 
  private:
-  // m, that blocks may lie in each other: and as far as edges that contacts follow as they bend go off the lines between their corners, which are asked here.
+  // m, that blocks may lie in each other: and as far as edges that contacts follow as they bend go off the lines
+  // between their corners, which are asked here.
   double tolerance(int a, int b) const {
-    return deepest_ * std::min(model_.shapes[a].length, model_.shapes[b].length) + model_.largest_rise(a, moved_[a]) + model_.largest_rise(b, moved_[b]);
+    return deepest_ * std::min(model_.shapes[a].length, model_.shapes[b].length) + model_.largest_rise(a, moved_[a]) +
+           model_.largest_rise(b, moved_[b]);
   }
 
   // m, by which turning and straining moves what is in the block.
@@ -98,7 +110,8 @@ class Hindsight {
   std::vector<BlockPair> near_on_the_way() const {
     if (dt_ > 0) return search_.near(model_, moved_, dt_ + ahead_);
     std::vector<BlockState> ways = moved_;  // of a static solve, as if they took a second
-    for (const int b : model_.awake_blocks()) ways[b].velocity = rates_of_way(model_.shapes[b], model_.blocks[b], moved_[b], 1);
+    for (const int b : model_.awake_blocks())
+      ways[b].velocity = rates_of_way(model_.shapes[b], model_.blocks[b], moved_[b], 1);
     return search_.near(model_, ways, 1);
   }
 
@@ -122,11 +135,14 @@ class Hindsight {
   bool far(int a, int b, Place place) const {
     if (model_.shapes[a].second_order() || model_.shapes[b].second_order()) return false;
     const double time = place == judged ? ahead_ : 0;
-    const auto centre = [&](const BlockState& state) { return Vec2(state.centroid + time * Vec2(state.velocity[0], state.velocity[1])); };
+    const auto centre = [&](const BlockState& state) {
+      return Vec2(state.centroid + time * Vec2(state.velocity[0], state.velocity[1]));
+    };
     const auto radius = [&](int block) {
       const BlockState& state = moved_[block];
       const Vec3 rate(state.velocity[3], state.velocity[4], state.velocity[5]);
-      return model_.shapes[block].radius * (1 + tensor_norm(state.strain) + time / model_.shapes[block].length * tensor_norm(rate));
+      return model_.shapes[block].radius *
+             (1 + tensor_norm(state.strain) + time / model_.shapes[block].length * tensor_norm(rate));
     };
     return (centre(moved_[a]) - centre(moved_[b])).norm() > radius(a) + radius(b);
   }
@@ -143,19 +159,20 @@ class Hindsight {
   }
 
   struct Met {
-    Vec2 at, from, to;            // the vertex; the edge's ends
+    Vec2 at, from, to;  // the vertex; the edge's ends
     double gap, position, length;
   };
   Met met(const Contact& c, Place place) {
     const Polyline& edges = outline(c.j, place).corners;
-    const Vec2 at = outline(c.i, place).corners[c.vertex], from = edges[c.edge], to = edges[model_.next_vertex(c.j, c.edge)];
+    const Vec2 at = outline(c.i, place).corners[c.vertex], from = edges[c.edge],
+               to = edges[model_.next_vertex(c.j, c.edge)];
     const double length = (to - from).norm();
     const Vec2 along = (to - from) / length;
     return {at, from, to, cross(at - from, along), along.dot(at - from), length};
   }
 
-  // Whether the vertex and the edge of the contact are in one place: the vertex on the edge, or the edge's end on one of the
-  // vertex's own edges.
+  // Whether the vertex and the edge of the contact are in one place: the vertex on the edge, or the edge's end on one
+  // of the vertex's own edges.
   bool touches(const Contact& c, Place place) {
     const double near = tolerance(c.i, c.j);
     const Met side = met(c, place);
@@ -171,7 +188,8 @@ class Hindsight {
   // m, of a point below the surface of the body whose block it is in, or 0.
   double depth(const Vec2& point, int block, Place place) {
     const auto& [corners, box] = outline(block, place);
-    if ((point.array() < box.min.array()).any() || (point.array() > box.max.array()).any() || !contains(corners, point)) return 0;
+    if ((point.array() < box.min.array()).any() || (point.array() > box.max.array()).any() || !contains(corners, point))
+      return 0;
     const Surface& surface = search_.surface();
     const talus::Outline sides(model_, surface);
     double least = model_.shapes[block].length;
@@ -180,7 +198,8 @@ class Hindsight {
       for (const OutlineEdge& side : {sides.leaving(corner), sides.arriving(corner)}) {
         if (!surface.free_edge[size_t(sides.first(side))]) continue;
         const Polyline& of = outline(side.block, place).corners;
-        least = std::min(least, distance_to_segment(of[side.edge], of[model_.next_vertex(side.block, side.edge)], point));
+        least =
+            std::min(least, distance_to_segment(of[side.edge], of[model_.next_vertex(side.block, side.edge)], point));
       }
     }
     return least;
@@ -202,11 +221,13 @@ class Hindsight {
     moved << now[1] - now[0], now[third] - now[0];
     return {then[0], now[0], moved * sides.inverse()};
   }
-  // m, below the face by which a corner came into a block that it left again in the step, on this way in the block's own frame:
-  // through a thin tip. What passes a corner of the block nearer than `allowed` passes it by.
+  // m, below the face by which a corner came into a block that it left again in the step, on this way in the block's
+  // own frame: through a thin tip. What passes a corner of the block nearer than `allowed` passes it by.
   double gone_through(const Vec2& start, const Vec2& end, int block, double allowed) {
     const auto& [corners, box] = outline(block, after);
-    if ((start.array().max(end.array()) < box.min.array()).any() || (start.array().min(end.array()) > box.max.array()).any()) return 0;
+    if ((start.array().max(end.array()) < box.min.array()).any() ||
+        (start.array().min(end.array()) > box.max.array()).any())
+      return 0;
     if (contains(corners, start) || contains(corners, end)) return 0;
     const Vec2 way = end - start;
     double first = 1, below = 0;  // part of the way
@@ -218,7 +239,9 @@ class Hindsight {
       if (part < 0 || part >= first || along < 0 || along > 1) continue;
       first = part;
       const bool by = std::min(along, 1 - along) * side.norm() <= allowed;
-      below = by || !search_.surface().free_edge[model_.shapes[block].vertex_begin + k] ? 0 : cross(side, end - corners[k]) / side.norm();
+      below = by || !search_.surface().free_edge[model_.shapes[block].vertex_begin + k]
+                  ? 0
+                  : cross(side, end - corners[k]) / side.norm();
     }
     return below;
   }
@@ -245,13 +268,18 @@ class Hindsight {
     return false;
   }
 
-  // m, that two blocks lie in each other, or 0 where it is no more than `enough` or where their bodies hide the way out.
+  // m, that two blocks lie in each other, or 0 where it is no more than `enough` or where their bodies hide the way
+  // out.
   double lie_in(int a, int b, Place place, double enough) {
     const std::array blocks{a, b};
     const std::array<const Polyline*, 2> outlines{&outline(a, place).corners, &outline(b, place).corners};
-    const auto out = way_out({search_.surface().parts_of(a), search_.surface().parts_of(b)}, {model_.vertex_count(a), model_.vertex_count(b)}, enough,
-                             [&](int of, int corner) -> const Vec2& { return (*outlines[size_t(of)])[size_t(corner)]; });
-    if (!out || !search_.surface().free_edge[size_t(model_.shapes[size_t(blocks[size_t(out->of)])].vertex_begin + out->face)]) return 0;
+    const auto out =
+        way_out({search_.surface().parts_of(a), search_.surface().parts_of(b)},
+                {model_.vertex_count(a), model_.vertex_count(b)}, enough,
+                [&](int of, int corner) -> const Vec2& { return (*outlines[size_t(of)])[size_t(corner)]; });
+    if (!out ||
+        !search_.surface().free_edge[size_t(model_.shapes[size_t(blocks[size_t(out->of)])].vertex_begin + out->face)])
+      return 0;
     return -out->gap;
   }
   // Whether two blocks have come into each other, be it with all of their corners outside, as tips that cross.
@@ -268,8 +296,8 @@ class Hindsight {
   const Model& model_;
   const ContactSearch& search_;
   const std::vector<BlockState>& moved_;
-  double dt_, deepest_;          // s, of the step; part of √area
-  double ahead_;                 // s, from its end to y
+  double dt_, deepest_;           // s, of the step; part of √area
+  double ahead_;                  // s, from its end to y
   std::vector<BlockPair> pairs_;  // that move past each other, sorted
   std::vector<double> known_;     // m, per pair: depth of the deepest of its contacts that press, as they know it
   std::vector<std::array<Outline, places>> outlines_;  // per block, those that have been asked for

@@ -19,8 +19,12 @@ class Timer {  // of a scope
   double start_;
 };
 
-inline void book_of_step(RunTotals& totals, const char* part, double wall) { totals.add_of_step(part, wall); }
-inline void book_cpu(RunTotals& totals, const char* part, double cpu) { totals.seconds(part) += cpu; }
+inline void book_of_step(RunTotals& totals, const char* part, double wall) {
+  totals.add_of_step(part, wall);
+}
+inline void book_cpu(RunTotals& totals, const char* part, double cpu) {
+  totals.seconds(part) += cpu;
+}
 
 using StepTimer = Timer<wall_seconds, book_of_step>;  // of a part of a step
 using PartTimer = Timer<cpu_seconds, book_cpu>;       // of what is no step

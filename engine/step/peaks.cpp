@@ -10,7 +10,9 @@ void raise(Peak& peak, int block, double value, double time) {
   if (value > peak.value) peak = {block, value, time};
 }
 
-double largest_principal(const Vec3& e) { return std::abs(e[0] + e[1]) / 2 + std::hypot((e[0] - e[1]) / 2, e[2] / 2); }
+double largest_principal(const Vec3& e) {
+  return std::abs(e[0] + e[1]) / 2 + std::hypot((e[0] - e[1]) / 2, e[2] / 2);
+}
 
 void keep_peak_velocities(Model& model) {
   for (ProbePoint& probe : model.probes) {
@@ -30,7 +32,8 @@ bool keep_peaks(Model& model, bool in_motion) {
     const BlockState& state = model.blocks[b];
     const int dofs = model.shapes[b].dofs;
     if (in_motion && dofs > 0) raise(model.highest, b, state.shift.y(), model.time);
-    if (dofs > rigid_dofs && state.strain.lpNorm<1>() > model.strained.value) raise(model.strained, b, largest_principal(state.strain), model.time);
+    if (dofs > rigid_dofs && state.strain.lpNorm<1>() > model.strained.value)
+      raise(model.strained, b, largest_principal(state.strain), model.time);
   }
   return small && model.strained.value > small_strain;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// What a run keeps beside the present state: the peak velocity at each probe, how high rock has flown, and how far blocks were strained.
+// What a run keeps beside the present state: the peak velocity at each probe, how high rock has flown, and how far
+// blocks were strained.
 #include "model/model.h"
 
 namespace talus {

@@ -14,30 +14,36 @@ namespace talus {
 
 namespace {
 
-constexpr int most_sweeps = 200;     // two contacts of a face take some twenty
-constexpr double settled = 1e-12;    // of the fastest parting
+constexpr int most_sweeps = 200;   // two contacts of a face take some twenty
+constexpr double settled = 1e-12;  // of the fastest parting
 
 struct Opened {
   int i = 0, j = 0;
-  Row of_i{}, of_j{};  // speed at which they part, by the blocks' rates
-  double most = 0;     // m/s, at which it may part
-  double mobility = 0; // m/s, by a unit of impulse
-  double impulse = 0;  // N s/m, taken
+  Row of_i{}, of_j{};   // speed at which they part, by the blocks' rates
+  double most = 0;      // m/s, at which it may part
+  double mobility = 0;  // m/s, by a unit of impulse
+  double impulse = 0;   // N s/m, taken
 };
 
-// How blocks part as rigid ones: a block that strains stays on what it has hit until it has rung back, and flies off by that. Where they are now, so
-// that impulses keep angular momentum.
+// How blocks part as rigid ones: a block that strains stays on what it has hit until it has rung back, and flies off by
+// that. Where they are now, so that impulses keep angular momentum.
 Row parting_row(const Model& model, const Contact& contact, int block) {
   const Vec2 way = (block == contact.i ? 1 : -1) * edge_normal(model, contact);
-  return {way.x(), way.y(), cross(model.vertex[size_t(contact.global_vertex)] - model.blocks[size_t(block)].centroid, way) / model.shapes[size_t(block)].length};
+  return {way.x(), way.y(),
+          cross(model.vertex[size_t(contact.global_vertex)] - model.blocks[size_t(block)].centroid, way) /
+              model.shapes[size_t(block)].length};
 }
 
-// An impulse on one of the blocks that bonds hold together would only strain its bonds: it moves all of them. Of a model whose blocks keep
-// their places and bonds.
+// An impulse on one of the blocks that bonds hold together would only strain its bonds: it moves all of them. Of a
+// model whose blocks keep their places and bonds.
 class Bodies {
  public:
   explicit Bodies(const Model& model)
-      : model_(model), of_(model.fragment), bodies_(bodies_of(model, model.blocks, of_, body_count(of_))), blocks_(bodies_.size()), moves_(bodies_.size(), true) {
+      : model_(model),
+        of_(model.fragment),
+        bodies_(bodies_of(model, model.blocks, of_, body_count(of_))),
+        blocks_(bodies_.size()),
+        moves_(bodies_.size(), true) {
     for (size_t b = 0; b < of_.size(); ++b) {
       blocks_[size_t(of_[b])].push_back(int(b));
       if (model.shapes[b].dofs == 0 || model.sleeps(int(b))) moves_[size_t(of_[b])] = false;
@@ -50,7 +56,9 @@ class Bodies {
   const std::vector<int>& blocks(int body) const { return blocks_[size_t(body)]; }
 
   // m/s, along the row of a block.
-  double rate(int block, const Row& row) const { return way(row).dot(of(block).velocity) + of(block).spin * moment(block, row); }
+  double rate(int block, const Row& row) const {
+    return way(row).dot(of(block).velocity) + of(block).spin * moment(block, row);
+  }
   // m/s by a unit of impulse along it.
   double mobility(int block, const Row& row) const {
     const double turn = moment(block, row);
@@ -66,7 +74,8 @@ class Bodies {
  private:
   static Vec2 way(const Row& row) { return {row[0], row[1]}; }
   double moment(int block, const Row& row) const {
-    return cross(model_.blocks[size_t(block)].centroid - of(block).centroid, way(row)) + row[2] * model_.shapes[size_t(block)].length;
+    return cross(model_.blocks[size_t(block)].centroid - of(block).centroid, way(row)) +
+           row[2] * model_.shapes[size_t(block)].length;
   }
   void support(int block) {  // bonded blocks would strain it
     if (blocks(body(block)).size() > 1) moves_[size_t(body(block))] = false;
@@ -84,7 +93,8 @@ double parting(const Bodies& bodies, int i, const Row& of_i, int j, const Row& o
 }
 
 double parting(const Model& model, const Bodies& bodies, const Contact& contact) {
-  return parting(bodies, contact.i, parting_row(model, contact, contact.i), contact.j, parting_row(model, contact, contact.j));
+  return parting(bodies, contact.i, parting_row(model, contact, contact.i), contact.j,
+                 parting_row(model, contact, contact.j));
 }
 
 // Gauss–Seidel over impulses that only hold back.
@@ -104,9 +114,11 @@ void hold_back(Bodies& bodies, std::vector<Opened>& opened) {
   }
 }
 
-// Moves blocks with the bodies of opened contacts. What that took, J/m, beside what held blocks have `given`. Blocks that ring turn with their
-// strains, and a change of spin may give them energy: where all of it together would, nothing moves, and the next step is another time.
-std::optional<double> move_with(const Bodies& bodies, const Bodies& before, const std::vector<Opened>& opened, double given, Model& model) {
+// Moves blocks with the bodies of opened contacts. What that took, J/m, beside what held blocks have `given`. Blocks
+// that ring turn with their strains, and a change of spin may give them energy: where all of it together would, nothing
+// moves, and the next step is another time.
+std::optional<double> move_with(const Bodies& bodies, const Bodies& before, const std::vector<Opened>& opened,
+                                double given, Model& model) {
   std::set<int> pushed;
   for (const Opened& contact : opened) pushed.insert({bodies.body(contact.i), bodies.body(contact.j)});
   std::vector<std::pair<int, Rates>> kept;
@@ -135,7 +147,8 @@ std::optional<double> move_with(const Bodies& bodies, const Bodies& before, cons
 
 Restitution::Restitution(const Model& model, const ContactTerms& contacts) {
   const Bodies bodies(model);
-  for (const ContactRows& row : contacts.rows()) parted_.push_back(parting(model, bodies, model.contacts[size_t(row.contact)]));
+  for (const ContactRows& row : contacts.rows())
+    parted_.push_back(parting(model, bodies, model.contacts[size_t(row.contact)]));
 }
 
 Restitution::Taken Restitution::limit(Model& model, const ContactTerms& contacts, const Scheme& scheme) const {
@@ -154,8 +167,10 @@ Restitution::Taken Restitution::limit(Model& model, const ContactTerms& contacts
       continue;
     }
     if (contact.may_part < 0) continue;
-    Opened own{.i = row.i, .j = row.j, .of_i = parting_row(model, contact, row.i), .of_j = parting_row(model, contact, row.j)};
-    const double now = parting(before, own.i, own.of_i, own.j, own.of_j), gap = contact.gap + contact.offset;  // at y = X + ahead v
+    Opened own{
+        .i = row.i, .j = row.j, .of_i = parting_row(model, contact, row.i), .of_j = parting_row(model, contact, row.j)};
+    // at y = X + ahead v
+    const double now = parting(before, own.i, own.of_i, own.j, own.of_j), gap = contact.gap + contact.offset;
     contact.lifted = std::max(0.0, contact.lifted + now - contact.parting);
     own.most = contact.may_part + contact.lifted;
     contact.parts = contact.parts || now > 0;

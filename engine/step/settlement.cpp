@@ -16,7 +16,9 @@ int Settlement::left(const Model& model) const {
   const std::vector<Fragment> now = fragments(model);
   for (size_t k = 0; k < now.size(); ++k) {
     if (now[k].held) continue;
-    if (std::abs(now[k].angle - before_[k].angle) > most_turn || (now[k].shift - before_[k].shift).norm() > most_way * now[k].size()) return now[k].first;
+    if (std::abs(now[k].angle - before_[k].angle) > most_turn ||
+        (now[k].shift - before_[k].shift).norm() > most_way * now[k].size())
+      return now[k].first;
   }
   return -1;
 }

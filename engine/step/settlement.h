@@ -5,7 +5,8 @@
 
 namespace talus {
 
-// Whether a body has toppled or fallen while equilibrium was looked for: it lies then, but elsewhere than where it was asked whether it stands.
+// Whether a body has toppled or fallen while equilibrium was looked for: it lies then, but elsewhere than where it was
+// asked whether it stands.
 class Settlement {
  public:
   explicit Settlement(const Model& model) : before_(fragments(model)) {}  // where the search begins

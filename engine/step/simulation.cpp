@@ -6,8 +6,8 @@
 
 #include "equations/recovery.h"
 #include "fracture/snap_back.h"
-#include "model/registry.h"
 #include "gas/gas.h"
+#include "model/registry.h"
 #include "scene/build.h"
 #include "step/half_steps.h"
 #include "step/load_steps.h"
@@ -38,7 +38,8 @@ Simulation::~Simulation() = default;
 
 StepReport Simulation::step() {
   if (stepper_->half_done())
-    throw RunError("the last step was left half done when a law of the script failed in it: sim:restore goes on from a state that was saved before");
+    throw RunError(
+        "the last step was left half done when a law of the script failed in it: sim:restore goes on from a state that was saved before");
   // A step of motion puts back itself what an attempt has changed. What looks for equilibrium does not.
   const std::string before = plan.dynamic && begun_ ? std::string() : save();
   try {
@@ -59,7 +60,7 @@ void Simulation::take_step() {
   book_change();
   refuse_driven_in();
   const long factors = totals.factorisations;
-  last = half_steps_ ? half_steps_->step()
+  last = half_steps_    ? half_steps_->step()
          : plan.dynamic ? stepper_->dynamic_step()
                         : load_steps_->step(next_load(), totals.steps == 0);
   ++totals.steps;
@@ -80,17 +81,20 @@ void Simulation::refuse_driven_in() const {
   if (c == nullptr) return;
   char depth[32];
   std::snprintf(depth, sizeof depth, "%.3g", c->normal_force / c->normal_stiffness);
-  throw RunError("t = " + std::to_string(model.time) + " s: " + block_name(model, c->i) + " is pressed in by " + depth + " m where it meets " + block_name(model, c->j) +
-                 ", more than a tenth of the smaller one's size: what is driven there cannot give way, or joint.stiffness is too little for what it bears");
+  throw RunError(
+      "t = " + std::to_string(model.time) + " s: " + block_name(model, c->i) + " is pressed in by " + depth +
+      " m where it meets " + block_name(model, c->j) +
+      ", more than a tenth of the smaller one's size: what is driven there cannot give way, or joint.stiffness is too little for what it bears");
 }
 
 std::string Simulation::strain_note() const {
   const auto& [block, strain, at] = model.strained;
   char text[400];
-  std::snprintf(text, sizeof text,
-                "t = %.6g s: %s is strained by %.3g (sim.strained has the largest): linear elasticity is for small strains, and beyond %g energy may be unexplained; is material.young, "
-                "%.3g Pa, too little for what acts?",
-                at, block_name(model, block).c_str(), strain, small_strain, model.material(block).young);
+  std::snprintf(
+      text, sizeof text,
+      "t = %.6g s: %s is strained by %.3g (sim.strained has the largest): linear elasticity is for small strains, and beyond %g energy may be unexplained; is material.young, "
+      "%.3g Pa, too little for what acts?",
+      at, block_name(model, block).c_str(), strain, small_strain, model.material(block).young);
   return text;
 }
 
@@ -114,17 +118,20 @@ void Simulation::begin() {
     }
   if (!unsettled.empty()) notes.push_back(unsettled);
   if (totals.failures > 0)
-    notes.push_back(totals.failures == 1
-                        ? "1 bond is beyond its strength at the start: it begins as a crack"
-                        : std::to_string(totals.failures) + " bonds are beyond their strength at the start: they begin as cracks");
+    notes.push_back(totals.failures == 1 ? "1 bond is beyond its strength at the start: it begins as a crack"
+                                         : std::to_string(totals.failures) +
+                                               " bonds are beyond their strength at the start: they begin as cracks");
   if (plan.viscous && !plan.dynamic)
-    notes.push_back("viscous boundaries are held like fixed edges: in a static scene nothing moves that they could absorb");
+    notes.push_back(
+        "viscous boundaries are held like fixed edges: in a static scene nothing moves that they could absorb");
   begin_ledger();
   begun_ = true;
   recovered_step_ = -1;
 }
 
-void Simulation::begin_ledger() { parts_->begin_ledger(plan.dynamic ? stepper_->first_ahead() : 0); }
+void Simulation::begin_ledger() {
+  parts_->begin_ledger(plan.dynamic ? stepper_->first_ahead() : 0);
+}
 
 std::string Simulation::settle() {
   std::vector<Rates> velocities;
@@ -178,7 +185,9 @@ void Simulation::restore(const std::string& state) {
   stopped_ = false;
 }
 
-const Gas* Simulation::gas() const { return parts_->gas.get(); }
+const Gas* Simulation::gas() const {
+  return parts_->gas.get();
+}
 
 std::uint64_t Simulation::hash() const {
   return visited<StateHasher>().value();
@@ -196,7 +205,9 @@ bool Simulation::finished() const {
   return totals.steps >= least && model.time >= time.t_end && model.load_way.part == 1 && !parts_->bonds_due();
 }
 
-const std::vector<int>& Simulation::fractures() const { return half_steps_ ? half_steps_->fractures() : parts_->fractures(); }
+const std::vector<int>& Simulation::fractures() const {
+  return half_steps_ ? half_steps_->fractures() : parts_->fractures();
+}
 
 const std::vector<GasEvent>& Simulation::gas_events() const {
   static const std::vector<GasEvent> none;

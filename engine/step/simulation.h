@@ -21,7 +21,10 @@ class Recovery;
 class Gas;
 struct GasEvent;
 
-struct CheckLine { std::string name, value, expected; bool pass = false; };  // talus.check, kept for run.json
+struct CheckLine {
+  std::string name, value, expected;
+  bool pass = false;
+};  // talus.check, kept for run.json
 
 class Simulation {
  public:
@@ -32,7 +35,7 @@ class Simulation {
   void begin();
   // One accepted step. Throws RunError when none can be accepted at dt_min.
   StepReport step();
-  bool finished() const;   // t_end, the static load steps, or max_steps reached, or stop() called
+  bool finished() const;  // t_end, the static load steps, or max_steps reached, or stop() called
   void stop() { stopped_ = true; }
   bool stopped() const { return stopped_; }
   bool begun() const { return begun_; }
@@ -41,7 +44,7 @@ class Simulation {
   // Joints that failed in the last step.
   const std::vector<int>& fractures() const;
   const std::vector<GasEvent>& gas_events() const;  // what charges did in the last step
-  const Gas* gas() const;  // null where there are no charges
+  const Gas* gas() const;                           // null where there are no charges
 
   // The state between two steps. restore() continues from it bit by bit; it throws StateError and leaves
   // everything as it was when `state` is not of this scene.
@@ -58,12 +61,14 @@ class Simulation {
   std::vector<std::string> notes;  // what the user should know of the run; shown and kept in run.json
   Ledger ledger;                   // of energy, since the start of the run
   Energies energies() const;
-  // To be called before materials, joint properties, supports or velocities are changed between two steps: what that adds to
-  // the energy is work put in.
+  // To be called before materials, joint properties, supports or velocities are changed between two steps: what that
+  // adds to the energy is work put in.
   void before_change();
-  // s, until when a load or support that is changed now comes to what it becomes: over the next load step. 0 in motion, and before the first: at once.
+  // s, until when a load or support that is changed now comes to what it becomes: over the next load step. 0 in motion,
+  // and before the first: at once.
   double change_until() const { return plan.dynamic || totals.steps == 0 ? 0 : next_load(); }
-  // The same of a support's displacement, which in motion comes over the next step: at once it would strain its spring by all of it.
+  // The same of a support's displacement, which in motion comes over the next step: at once it would strain its spring
+  // by all of it.
   double displacement_until() const;
   StepParts& step_parts() { return *parts_; }
   Stepper& stepper() { return *stepper_; }
@@ -93,7 +98,7 @@ class Simulation {
   long recovered_step_ = -1;
   double next_load() const;  // s, to which the next load step goes
   bool begun_ = false, stopped_ = false;
-  bool changed_ = false;        // since the last step, by before_change()
+  bool changed_ = false;       // since the last step, by before_change()
   double rest_at_change_ = 0;  // J/m, that was unexplained then
 };
 

@@ -51,7 +51,9 @@ void Sleep::wake_loaded(const Model& model, const Scheme& scheme, std::vector<ch
   const Scene& scene = model.scene;
   const size_t edges = scene.point_loads.size(), regions = edges + scene.edge_loads.size(),
                supports = regions + scene.regions.size();
-  const auto other = [&](size_t input) { return now[2 * input] != inputs_[2 * input] || now[2 * input + 1] != inputs_[2 * input + 1]; };
+  const auto other = [&](size_t input) {
+    return now[2 * input] != inputs_[2 * input] || now[2 * input + 1] != inputs_[2 * input + 1];
+  };
   const auto touch = [&](size_t input, int block) {
     if (other(input)) woken[model.asleep[block]] = 1;
   };
@@ -68,7 +70,8 @@ void Sleep::wake_loaded(const Model& model, const Scheme& scheme, std::vector<ch
 
 template <typename Visit>
 void Sleep::each_group_in(const Box& box, const Model& model, Visit visit) const {
-  boxes_.each_meeting(box, std::numeric_limits<int>::min(), [&](int k) { visit(model.asleep[size_t(sleepers_[size_t(k)])]); });
+  boxes_.each_meeting(box, std::numeric_limits<int>::min(),
+                      [&](int k) { visit(model.asleep[size_t(sleepers_[size_t(k)])]); });
 }
 
 void Sleep::wake_near(const Model& model, double dt, std::vector<char>& woken) {
@@ -76,18 +79,22 @@ void Sleep::wake_near(const Model& model, double dt, std::vector<char>& woken) {
     const bool held = model.shapes[b].dofs == 0;
     const auto own = held ? held_velocity(model, b, dt) : std::array<double, rigid_dofs>{};
     if (held && stands_still(own)) continue;
-    each_group_in(swept_box(model, b, held ? std::span<const double>(own) : model.blocks[b].velocity, dt), model, [&](int group) { woken[size_t(group)] = 1; });
+    each_group_in(swept_box(model, b, held ? std::span<const double>(own) : model.blocks[b].velocity, dt), model,
+                  [&](int group) { woken[size_t(group)] = 1; });
   }
 }
 
-// By the boxes with which contacts that a step went past are looked for (step/overlooked.h, contact/detection.h): without sleep they would be found.
+// By the boxes with which contacts that a step went past are looked for (step/overlooked.h, contact/detection.h):
+// without sleep they would be found.
 bool Sleep::struck(const Model& model, const std::vector<BlockState>& moved, const Scheme& scheme) {
   if (sleepers_.empty()) return false;
   const double dt = scheme.dt + scheme.bond_ahead;
   for (const int b : model.awake_blocks()) {
     if (stands_still(moved[size_t(b)].velocity)) continue;
-    const Box to = swept_box(model, b, moved[size_t(b)].velocity, dt), on = swept_box(model, b, model.blocks[size_t(b)].velocity, scheme.dt);
-    each_group_in({to.low.cwiseMin(on.low), to.high.cwiseMax(on.high)}, model, [&](int group) { struck_.push_back(group); });
+    const Box to = swept_box(model, b, moved[size_t(b)].velocity, dt),
+              on = swept_box(model, b, model.blocks[size_t(b)].velocity, scheme.dt);
+    each_group_in({to.low.cwiseMin(on.low), to.high.cwiseMax(on.high)}, model,
+                  [&](int group) { struck_.push_back(group); });
   }
   return !struck_.empty();
 }

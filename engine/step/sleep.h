@@ -3,7 +3,8 @@
 // changes nothing, and no more would those that follow, so leaving the group out of search, assembly and solution
 // gives the same places and forces to the last bit. A group is all that comes near each other; it wakes as one,
 // when
-// - the box of something that is awake, grown by its motion, meets that of one of its blocks, be it only as the step turns out,
+// - the box of something that is awake, grown by its motion, meets that of one of its blocks, be it only as the step
+// turns out,
 // - a load, body force or support on one of its blocks asks for something else than in the last step,
 // - gas presses on one of its blocks: as long as it does, the group stays awake,
 // - the script changes anything (Model::changed).
@@ -42,7 +43,7 @@ class Sleep {
   long seen_ = -1;              // Model::sleep_changes the following belong to
   std::vector<int> sleepers_;
   std::vector<int> struck_;  // groups
-  BoxGrid boxes_;  // of sleepers_
+  BoxGrid boxes_;            // of sleepers_
   int groups_ = 0;
   Asleep stored_;
 };

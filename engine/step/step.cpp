@@ -22,11 +22,15 @@ namespace talus {
 
 namespace {
 
-constexpr double most_gain = 1e-6;  // in a step, of what moves and is stored
+constexpr double most_gain = 1e-6;          // in a step, of what moves and is stored
 constexpr double most_gain_of_work = 1e-3;  // and of the work that loads and supports put in or take in it
-constexpr double most_turning = 1e-3;  // in a step, of the ledger's scale: what all steps leave unexplained is to be below a hundredth
-constexpr double most_turning_near_rest = 3e-3;  // in an automatic step, of what moves and is stored: what turns loses more than it gains by it
-constexpr double no_turn = 1e-6;  // rad, half the square of which is as nothing beside what contacts of rock are pressed in by, 1e-9 of the lever and more
+// in a step, of the ledger's scale: what all steps leave unexplained is to be below a hundredth
+constexpr double most_turning = 1e-3;
+// in an automatic step, of what moves and is stored: what turns loses more than it gains by it
+constexpr double most_turning_near_rest = 3e-3;
+// rad, half the square of which is as nothing beside what contacts of rock are pressed in by, 1e-9 of the lever and
+// more
+constexpr double no_turn = 1e-6;
 constexpr double most_solve_effort = 24;  // factors, among cracks: three times what keeps a step from growing
 
 void stand(const BlockState& where, BlockState& state) {
@@ -37,7 +41,13 @@ void stand(const BlockState& where, BlockState& state) {
 }  // namespace
 
 Stepper::Stepper(StepParts& parts)
-    : parts_(parts), model_(parts.model), plan_(parts.plan), totals_(parts.totals), ledger_(parts.ledger), prestressed_(initial_stress_energy(model_)), step_size_(model_, plan_.contacts) {
+    : parts_(parts),
+      model_(parts.model),
+      plan_(parts.plan),
+      totals_(parts.totals),
+      ledger_(parts.ledger),
+      prestressed_(initial_stress_energy(model_)),
+      step_size_(model_, plan_.contacts) {
   if (plan_.fracture) step_size_.among_cracks();
 }
 
@@ -93,12 +103,14 @@ StepReport Stepper::dynamic_step(double most) {
       continue;
     }
 
-    // 7. The step is accepted: geometry, velocities, contact and joint states, then what takes energy from where they lead.
+    // 7. The step is accepted: geometry, velocities, contact and joint states, then what takes energy from where they
+    // lead.
     const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved_, dt) : std::vector<double>{};
     std::optional<Restitution> restitution;
     if (plan_.restitution) restitution.emplace(model_, parts_.contacts);
     const double gained = accept(scheme, course.d, contacts_at_start(), start.energies);
-    // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last step's length.
+    // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last
+    // step's length.
     const bool gains = start.energies && gained > most_gain * stored(*start.energies);
     if (regretted) {
       step_size_.regretted(!gains);
@@ -118,7 +130,8 @@ StepReport Stepper::dynamic_step(double most) {
       ledger_.damping_work += taken.energy;
       ledger_.boundary_work += taken.boundary_work;
     }
-    if (model_.scene.numerics.sleeping && report.failures == 0 && !parts_.bonds_due()) parts_.sleep.fall_asleep(model_, parts_.islands, parts_.search.near());
+    if (model_.scene.numerics.sleeping && report.failures == 0 && !parts_.bonds_due())
+      parts_.sleep.fall_asleep(model_, parts_.islands, parts_.search.near());
     ledger_.damping_work += damp(model_, kept);
     const double end = model_.scene.time.t_end;
     model_.time = model_.time + dt > end * (1 - 1e-14) ? end : model_.time + dt;
@@ -137,7 +150,8 @@ void Stepper::shorten() {
   step_size_.stop_in(next_bend(model_.scene, model_.time + step_size_.least()) - model_.time);
 }
 
-// Whether a step is to be taken again, as one of `last`. Not where outputs, rows of tables or the end would make it the same again.
+// Whether a step is to be taken again, as one of `last`. Not where outputs, rows of tables or the end would make it the
+// same again.
 bool Stepper::regret(double dt, double last, double most) {
   if (!step_size_.may_regret()) return false;
   const StepSize before = step_size_;
@@ -158,7 +172,8 @@ Stepper::Start Stepper::begin(const Scheme& scheme, Attempt& attempt, bool regre
   Start start;
   const bool other = scheme.bond_ahead != ledger_.ahead, first = ledger_.ahead == 0;
   const auto moves = [this](int b) { return !stands_still(model_, b); };
-  if (other ? plan_.contacts || plan_.gravity : regretted || (ledger_.unpaid > 0 && std::ranges::any_of(model_.awake_blocks(), moves)))
+  if (other ? plan_.contacts || plan_.gravity
+            : regretted || (ledger_.unpaid > 0 && std::ranges::any_of(model_.awake_blocks(), moves)))
     start = {parts_.energies(), other && !first && plan_.contacts && !parts_.fracture};
   if (other) {
     attempt.keep_places();
@@ -191,13 +206,16 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     // 3. Open–close: everything linear once, then contacts until their law is met.
     parts_.joints.begin();
     again_ = 0;
-    do {  // again with more of the candidates where one presses that was not expected to, with other pressures of the gas, and other branches of bridges
+    // again with more of the candidates where one presses that was not expected to, with other pressures of the gas,
+    // and other branches of bridges
+    do {
       if (course.result.missed) widen();
       assemble(scheme);
       if (on_assembled) on_assembled(scheme, parts_.system, parts_.contacts);
       course.result = solve(scheme, course.d);
     } while (course.result.missed || (course.result.converged && !settled(scheme, course.d)));
-    if (again_ > most_again || bridge_motion_.gives_up() || (parts_.gas && parts_.gas->gives_up())) course.result.converged = false;
+    if (again_ > most_again || bridge_motion_.gives_up() || (parts_.gas && parts_.gas->gives_up()))
+      course.result.converged = false;
     report.iterations = course.result.iterations;
     report.residual = course.result.residual;
     if (!course.result.converged) return course;
@@ -210,10 +228,12 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     // 4. Bonds that the step would leave beyond their strength fail at its start: the same step again without them.
     if (parts_.fracture && breaks(scheme.dt, report)) continue;
 
-    // 5. Contacts that it went past: once again with those on its way. What sleeps there wakes, and the step begins again.
+    // 5. Contacts that it went past: once again with those on its way. What sleeps there wakes, and the step begins
+    // again.
     course.woke = model_.scene.numerics.sleeping && parts_.sleep.struck(model_, moved_, scheme);
     if (course.woke) return course;
-    course.past = plan_.contacts && step_size_.may_halve(scheme.dt) && overlooks(scheme.dt, report.displacement, course.d);
+    course.past =
+        plan_.contacts && step_size_.may_halve(scheme.dt) && overlooks(scheme.dt, report.displacement, course.d);
     if (!course.past || !seen.empty()) return course;
     seen = moved_;
   }
@@ -246,17 +266,19 @@ void Stepper::assemble(const Scheme& scheme) {
 
 IslandResult Stepper::solve(const Scheme& scheme, Vector& d) {
   const bool few = parts_.fracture && scheme.dt > parts_.transit();
-  const IslandResult result = parts_.solve(scheme.dt, few ? most_solve_effort : std::numeric_limits<double>::infinity(), d);
+  const IslandResult result =
+      parts_.solve(scheme.dt, few ? most_solve_effort : std::numeric_limits<double>::infinity(), d);
   effort_ += result.total_effort;
   split_anew_ = std::max(split_anew_, result.split_anew);
   return result;
 }
 
-// Whether there is nothing to solve again: the pressures of the gas are those of the volumes that d leads to, and bridges are on the branches
-// of their laws that it leads to; or either has been given up.
+// Whether there is nothing to solve again: the pressures of the gas are those of the volumes that d leads to, and
+// bridges are on the branches of their laws that it leads to; or either has been given up.
 bool Stepper::settled(const Scheme& scheme, const Vector& d) {
   if (parts_.gas && !parts_.gas->agrees(moved_blocks(model_, scheme, d))) return parts_.gas->gives_up();
-  if (plan_.bonds && parts_.joints.may_disagree(model_, scheme, d) && !parts_.joints.agrees(model_, parts_.poses, scheme, d, moved_blocks(model_, scheme, d)))
+  if (plan_.bonds && parts_.joints.may_disagree(model_, scheme, d) &&
+      !parts_.joints.agrees(model_, parts_.poses, scheme, d, moved_blocks(model_, scheme, d)))
     return ++again_ > most_again;
   return !bridge_motion_.any() || bridge_motion_.gives_up() || bridge_motion_.agrees(d);
 }
@@ -266,8 +288,9 @@ bool Stepper::overlooks(double dt, double displacement, const Vector& d) {
   return overlooked(model_, parts_.search, parts_.contacts, d, moved_, dt, displacement);
 }
 
-// What the work of contacts is other than the step was solved with, as blocks turn in it, of what it may be: of the ledger's scale, and where steps
-// may get long near rest, of what moves and is stored, for nothing else is left there to lose.
+// What the work of contacts is other than the step was solved with, as blocks turn in it, of what it may be: of the
+// ledger's scale, and where steps may get long near rest, of what moves and is stored, for nothing else is left there
+// to lose.
 double Stepper::turning_gain(const Scheme& scheme, const Course& course) {
   StepTimer timer(totals_, "update");
   if (all_still()) return 0;
@@ -285,7 +308,8 @@ double Stepper::turning_gain(const Scheme& scheme, const Course& course) {
   energy = std::max(energy, stored(parts_.energies()));
   double fall = 0;  // J/m, what gravity puts in: in the first step there is nothing before it
   for (const int b : model_.awake_blocks())
-    if (model_.shapes[b].dofs > 0) fall += model_.mass(b) * model_.scene.gravity.dot(moved_[b].shift - model_.blocks[b].shift);
+    if (model_.shapes[b].dofs > 0)
+      fall += model_.mass(b) * model_.scene.gravity.dot(moved_[b].shift - model_.blocks[b].shift);
   return std::max(gain, work.of_turns / (most_turning * std::max(energy, std::abs(fall))));
 }
 
@@ -296,7 +320,8 @@ double Stepper::kinetic_energy_moved() {
   return energy;
 }
 
-// Finds moved_ and its vertices in one pass over what is awake: of many blocks the states are more than caches hold. What sleeps is in it as it is.
+// Finds moved_ and its vertices in one pass over what is awake: of many blocks the states are more than caches hold.
+// What sleeps is in it as it is.
 void Stepper::lead(const Scheme& scheme, Course& course) {
   if (moved_of_ != model_.sleep_changes) {
     moved_ = model_.blocks;
@@ -308,7 +333,8 @@ void Stepper::lead(const Scheme& scheme, Course& course) {
   for (const int b : model_.awake_blocks()) {
     if (parts_.islands.rest(b) != Rest::moves) {
       stand(model_.blocks[b], moved_[b]);
-      const auto first = model_.vertex.begin() + model_.shapes[b].vertex_begin, last = model_.vertex.begin() + model_.shapes[b].vertex_end;
+      const auto first = model_.vertex.begin() + model_.shapes[b].vertex_begin,
+                 last = model_.vertex.begin() + model_.shapes[b].vertex_end;
       std::copy(first, last, moved_vertex_.begin() + model_.shapes[b].vertex_begin);
       continue;
     }
@@ -351,7 +377,8 @@ std::optional<ContactBooking> Stepper::contacts_at_start() {
   return ContactBooking(model_);
 }
 
-double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking, const std::optional<Energies>& start) {
+double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,
+                       const std::optional<Energies>& start) {
   StepTimer timer(totals_, "update");
   if (!booking) {
     ledger_.ahead = scheme.bond_ahead;
@@ -373,13 +400,16 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
   if (plan_.bonds && !parts_.fracture) parts_.joints.store_tractions(model_);  // else they are, to be judged
   if (!start) return 0;
   const Energies end = parts_.energies();
-  const double gained = end.own() - start->own(), put_in = std::abs(end.external - start->external) + std::abs(end.boundary - start->boundary) + std::abs(end.gas - start->gas);
+  const double gained = end.own() - start->own(), put_in = std::abs(end.external - start->external) +
+                                                           std::abs(end.boundary - start->boundary) +
+                                                           std::abs(end.gas - start->gas);
   return gained + ledger_.pay(-gained) - most_gain_of_work * put_in;
 }
 
 // What the way from X to y holds is the integrator's.
 void Stepper::change_step(double ahead) {
-  const double before = kinetic_energy(model_, 0) + parts_.elastic_energy(0), height = gravity_energy_ahead(model_, ledger_.ahead);
+  const double before = kinetic_energy(model_, 0) + parts_.elastic_energy(0),
+               height = gravity_energy_ahead(model_, ledger_.ahead);
   std::vector<BlockState> kept = keep_stored(model_, ledger_.ahead, ahead);
   double gravity = 0;
   for (int b = 0; b < int(kept.size()); ++b)

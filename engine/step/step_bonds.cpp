@@ -23,13 +23,15 @@ class Lent {  // blocks where a step leads, also where a criterion of the script
 
 }  // namespace
 
-// After give_up() alone. A law of the script that failed would be asked again here: its bonds are judged as the next step begins.
+// After give_up() alone. A law of the script that failed would be asked again here: its bonds are judged as the next
+// step begins.
 void Stepper::left() {
   if (std::exchange(gave_up_, false) && judged_astray_) judge_again();
 }
 
-// Whether bonds fail where the step leads and it is to be taken again. Not in a step shorter than a wave takes through a block, in which a
-// bond cannot feel yet that another has failed: those that are due then fail at the start of the next. The states are only lent to the model.
+// Whether bonds fail where the step leads and it is to be taken again. Not in a step shorter than a wave takes through
+// a block, in which a bond cannot feel yet that another has failed: those that are due then fail at the start of the
+// next. The states are only lent to the model.
 bool Stepper::breaks(double dt, StepReport& report) {
   StepTimer timer(totals_, "fracture");
   judged_astray_ = true;  // until the step is accepted
@@ -81,9 +83,11 @@ int StepParts::initial_cracks() {
   return int(due.size());
 }
 
-// In motion the blocks beside keep as strain what the jump of their bond was to them. Where they strain more than their bond would let
-// them, as in an impact on few blocks, its potential is below nought: without it, and without that strain, they would have more energy.
-StepParts::Released StepParts::fail(const std::vector<int>& due, double time, bool motion, const std::vector<BondTraction>& judged) {
+// In motion the blocks beside keep as strain what the jump of their bond was to them. Where they strain more than their
+// bond would let them, as in an impact on few blocks, its potential is below nought: without it, and without that
+// strain, they would have more energy.
+StepParts::Released StepParts::fail(const std::vector<int>& due, double time, bool motion,
+                                    const std::vector<BondTraction>& judged) {
   if (due.empty()) return {};
   const double before = elastic_energy(ledger.ahead), before_at_x = elastic_energy(0);
   if (motion)

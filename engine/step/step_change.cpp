@@ -20,10 +20,16 @@ struct Frame {
   Vec2 velocity_at(const Vec2& point) const { return velocity + spin * perp(Vec2(point - at)); }
 };
 
-bool same_motion(const Frame& a, const Frame& b) { return a.velocity == b.velocity && a.spin == b.spin && (a.spin == 0 || a.at == b.at); }
-Frame frame_of(const Body& body) { return {body.velocity, body.spin, body.centroid}; }
+bool same_motion(const Frame& a, const Frame& b) {
+  return a.velocity == b.velocity && a.spin == b.spin && (a.spin == 0 || a.at == b.at);
+}
+Frame frame_of(const Body& body) {
+  return {body.velocity, body.spin, body.centroid};
+}
 
-Vec2 linear(const BlockState& state) { return {state.velocity[0], state.velocity[1]}; }
+Vec2 linear(const BlockState& state) {
+  return {state.velocity[0], state.velocity[1]};
+}
 
 void deform(const BlockShape& shape, double seconds, BlockState& state) {
   if (shape.dofs <= rigid_dofs) return;
@@ -40,13 +46,16 @@ void move(const BlockShape& shape, double seconds, const Frame& carried, BlockSt
   state.angle += seconds * (state.velocity[2] / shape.length - carried.spin);
 }
 
-// Of a block's length; the smaller one where a contact slides, which would fall behind. What is pressed and moves no farther than that against what carries it
-// as the step changes, as all do that it presses on, is as good as at rest: what its contacts hold counts more than where it flies.
+// Of a block's length; the smaller one where a contact slides, which would fall behind. What is pressed and moves no
+// farther than that against what carries it as the step changes, as all do that it presses on, is as good as at rest:
+// what its contacts hold counts more than where it flies.
 constexpr double as_at_rest = 1e-4, as_at_rest_sliding = 1e-6;
-// Of the shorter length, by which a contact slides in what the step gets longer or shorter by. What has come to stand at y goes to and fro about it at X,
-// and contacts of it at the limit of friction give way by no more than their springs do.
+// Of the shorter length, by which a contact slides in what the step gets longer or shorter by. What has come to stand
+// at y goes to and fro about it at X, and contacts of it at the limit of friction give way by no more than their
+// springs do.
 constexpr double as_stuck = 1e-8;
-constexpr double one_point = 1e-3;  // of a block's length: corners of bonded blocks that a fixity holds at one point come no farther apart
+// of a block's length: corners of bonded blocks that a fixity holds at one point come no farther apart
+constexpr double one_point = 1e-3;
 
 // What holds parts of a set of blocks, in each direction: the ground, or what moves.
 class Holder {
@@ -62,7 +71,8 @@ class Holder {
     }
   }
   bool any() const { return along_[0].any || along_[1].any; }
-  bool all() const { return along_[0].one() && along_[1].one(); }  // that there is to know, without how the set moves by itself
+  // that there is to know, without how the set moves by itself
+  bool all() const { return along_[0].one() && along_[1].one(); }
   // Of the set, which by itself moves as `own`.
   Frame frame(const Frame& own) const {
     const Frame x = along_[0].chosen(own), y = along_[1].chosen(own);
@@ -84,8 +94,13 @@ class Holder {
 class Carried {
  public:
   Carried(const Model& model, double before, double after)
-      : model_(model), before_(before), after_(after), body_of_(model.fragment), count_(body_count(body_of_)),
-        way_(count_, Way::flies), frame_(count_) {
+      : model_(model),
+        before_(before),
+        after_(after),
+        body_of_(model.fragment),
+        count_(body_count(body_of_)),
+        way_(count_, Way::flies),
+        frame_(count_) {
     lie();
     const std::vector<Holder> holders = fixed(body_of_);
     bodies_ = moving(body_of_, [this](int k) { return way_[size_t(k)] != Way::lies; });
@@ -118,7 +133,8 @@ class Carried {
  private:
   enum class Way : char { flies, is_held, lies };
 
-  // In all of what presses on each other: what keeps y beside what does not would have their contact pressed by what the one moves.
+  // In all of what presses on each other: what keeps y beside what does not would have their contact pressed by what
+  // the one moves.
   void lie() {
     DisjointSets heaps(count_);
     std::vector<char> pressed(count_), slides(count_), fast(count_);
@@ -135,7 +151,8 @@ class Carried {
     const std::vector<Frame> frames = frames_of_heaps(heap_of, pressed);
     for (size_t b = 0; b < heap_of.size(); ++b) {
       const size_t heap = size_t(heap_of[b]), own = body(int(b));
-      if (pressed[own] && moves(int(b)) && !slow(int(b), frames[heap], slides[own] ? as_at_rest_sliding : as_at_rest)) fast[heap] = 1;
+      if (pressed[own] && moves(int(b)) && !slow(int(b), frames[heap], slides[own] ? as_at_rest_sliding : as_at_rest))
+        fast[heap] = 1;
     }
     for (size_t k = 0; k < count_; ++k) {
       const size_t heap = size_t(heaps.root(int(k)));
@@ -153,7 +170,8 @@ class Carried {
       for (const auto& [held, other] : {std::pair(c.i, c.j), std::pair(c.j, c.i)})
         if (model_.shapes[size_t(held)].dofs == 0) holders[size_t(heap_of[size_t(other)])].add(frame_of_held(held));
     }
-    const std::vector<Body> own = moving(heap_of, [&](int k) { return pressed[size_t(k)] && !holders[size_t(k)].all(); });
+    const std::vector<Body> own =
+        moving(heap_of, [&](int k) { return pressed[size_t(k)] && !holders[size_t(k)].all(); });
     std::vector<Frame> frames(count_);
     for (size_t k = 0; k < count_; ++k) frames[k] = holders[k].frame(frame_of(own[k]));
     return frames;
@@ -164,7 +182,8 @@ class Carried {
     std::vector<Holder> holders(count_);
     if (!model_.joints.empty())
       for (const int b : model_.held_blocks) holders[size_t(set_of[size_t(b)])].add(frame_of_held(b));
-    if (model_.support_speeds.empty()) return holders;  // before the first step supports are unstrained at X, which stays
+    // before the first step supports are unstrained at X, which stays
+    if (model_.support_speeds.empty()) return holders;
     for (const EdgeFixity& edge : model_.edge_fixities) {
       const Fixity& fixity = model_.scene.fixities[size_t(edge.fixity)];
       holders[size_t(set_of[size_t(edge.block)])].add(frame_of_support(edge.fixity), fixity.held);
@@ -173,7 +192,8 @@ class Carried {
   }
   Frame frame_of_held(int block) const {  // as the last step ended: so do contacts find its y
     const BlockState& state = model_.blocks[size_t(block)];
-    return {linear(state) + model_.rising(block), state.velocity[2] / model_.shapes[size_t(block)].length, state.centroid};
+    return {linear(state) + model_.rising(block), state.velocity[2] / model_.shapes[size_t(block)].length,
+            state.centroid};
   }
   Frame frame_of_support(int fixity) const {  // likewise
     return {model_.support_speeds[size_t(fixity)]};
@@ -217,7 +237,8 @@ class Carried {
   bool slow(int block, const Frame& carried, double part) const {
     const BlockShape& shape = model_.shapes[size_t(block)];
     const BlockState& state = model_.blocks[size_t(block)];
-    const double speed = (linear(state) - carried.velocity_at(state.centroid)).norm(), spin = state.velocity[2] / shape.length - carried.spin;
+    const double speed = (linear(state) - carried.velocity_at(state.centroid)).norm(),
+                 spin = state.velocity[2] / shape.length - carried.spin;
     return std::abs(before_ - after_) * (speed + std::abs(spin) * shape.radius) <= part * shape.length;
   }
 

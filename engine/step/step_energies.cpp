@@ -24,7 +24,9 @@ double StepParts::elastic_energy(double ahead) {
   return sum;
 }
 
-int StepParts::closed_contacts() { return sleep.stored(model).closed + talus::closed_contacts(model.awake_contacts()); }
+int StepParts::closed_contacts() {
+  return sleep.stored(model).closed + talus::closed_contacts(model.awake_contacts());
+}
 
 Energies StepParts::energies() {
   prepare_bonds();
@@ -44,8 +46,7 @@ Energies StepParts::energies() {
   e.viscous = ledger.viscous_work;
   e.fracture = ledger.fracture_work;
   double shift = gravity_ahead;  // at y less at X: part of the integrator's loss that needs no booking
-  if (ahead != 0)
-    shift += e.strain - elastic_energy(0) + e.kinetic - kinetic_energy(model, 0);
+  if (ahead != 0) shift += e.strain - elastic_energy(0) + e.kinetic - kinetic_energy(model, 0);
   e.numerical = ledger.numerical_flow - (shift - ledger.start_shift);
   e.unexplained = e.total - ledger.start_energy - e.external - e.gas - e.boundary + e.friction + e.damping + e.viscous +
                   e.fracture + e.numerical;

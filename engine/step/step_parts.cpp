@@ -28,8 +28,10 @@ void StepParts::assemble(const Scheme& scheme, const ContactChoice& choice) {
   StepTimer timer(totals, "assembly");
   prepare_bonds();
   poses.predict(model, scheme);
-  const bool plain = scheme.dt > 0 && !fracture && choice.pressed == ContactTerms::least_pressed && choice.nearness.empty();
-  linked_as_before_ = plain && plain_ && search.found_as_before() && islands.all_rest();  // of the same dt, as the search was
+  const bool plain =
+      scheme.dt > 0 && !fracture && choice.pressed == ContactTerms::least_pressed && choice.nearness.empty();
+  // of the same dt, as the search was
+  linked_as_before_ = plain && plain_ && search.found_as_before() && islands.all_rest();
   plain_ = plain;
   if (!linked_as_before_) link(scheme, choice);
   system.clear(model);
@@ -51,13 +53,15 @@ void StepParts::link(const Scheme& scheme, const ContactChoice& choice) {
     if (row.near) pairs.push_back({row.i, row.j});
   std::vector<int> with_entries;
   std::ranges::copy(model.awake_blocks(), std::back_inserter(with_entries));
-  if (system.matrix.set_pattern(block_sizes_, std::move(pairs), std::move(with_entries)) && plan.bonds) joints.find_slots(model, system.matrix);
+  if (system.matrix.set_pattern(block_sizes_, std::move(pairs), std::move(with_entries)) && plan.bonds)
+    joints.find_slots(model, system.matrix);
   islands.find(model, contacts, !model.scene.numerics.islands);
 }
 
 // The same forces on contacts as they were: the residual that the last step was accepted with.
 bool StepParts::balances_as_before() const {
-  return linked_as_before_ && system.force == at_rest_.force && system.force_scale == at_rest_.scale && system.force_rounding == at_rest_.rounding;
+  return linked_as_before_ && system.force == at_rest_.force && system.force_scale == at_rest_.scale &&
+         system.force_rounding == at_rest_.rounding;
 }
 
 IslandResult StepParts::solve(double dt, double most_effort, Vector& d) {
@@ -66,7 +70,8 @@ IslandResult StepParts::solve(double dt, double most_effort, Vector& d) {
   const bool motion = dt > 0;
   if (motion && balances_as_before()) return islands.rest_on(system, d);
   // Equilibrium is judged once more afterwards, by scales of its own.
-  const double tolerance = motion ? numerics.contact_tolerance : std::min(numerics.contact_tolerance, 0.1 * numerics.static_tolerance);
+  const double tolerance =
+      motion ? numerics.contact_tolerance : std::min(numerics.contact_tolerance, 0.1 * numerics.static_tolerance);
   const OpenCloseSettings settings{tolerance, numerics.max_iterations, motion, numerics.solver, most_effort};
   const IslandResult result = islands.solve(model, system, contacts, settings, dt, d);
   totals.iterations += result.solves;
@@ -101,7 +106,8 @@ void StepParts::visit_state(StateVisitor& visitor) {
 
 void StepParts::restored() {
   revision_ = -1;
-  if (!model.scene.numerics.sleeping || !plan.dynamic) model.changed();  // the state may be of a run that let things sleep
+  // the state may be of a run that let things sleep
+  if (!model.scene.numerics.sleeping || !plan.dynamic) model.changed();
 }
 
 void StepParts::rewound() {

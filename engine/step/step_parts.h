@@ -1,6 +1,6 @@
 #pragma once
-// What steps in motion and searches for equilibrium are both made of: the terms that the plan calls for, the linear system that they
-// put together, and its solution with contacts.
+// What steps in motion and searches for equilibrium are both made of: the terms that the plan calls for, the linear
+// system that they put together, and its solution with contacts.
 #include <functional>
 #include <memory>
 #include <span>
@@ -23,9 +23,9 @@ namespace talus {
 
 // Which contacts a system is put together with.
 struct ContactChoice {
-  bool stick = false;                             // those of joints that touch do not slide
-  double pressed = ContactTerms::least_pressed;   // part of its cohesion with which one is pressed that has it
-  std::span<const double> nearness = {};          // per block; empty: 1 (ContactTerms::linearise)
+  bool stick = false;                            // those of joints that touch do not slide
+  double pressed = ContactTerms::least_pressed;  // part of its cohesion with which one is pressed that has it
+  std::span<const double> nearness = {};         // per block; empty: 1 (ContactTerms::linearise)
 };
 
 class StepParts {
@@ -34,19 +34,22 @@ class StepParts {
 
   // What hangs on materials and bonds alone, where the script has changed them since.
   void prepare_bonds();
-  // K d = f for everything but contacts and softening bonds, and the contacts' rows. Where a step in motion begins as the last one did, in which
-  // nothing moved, rows, pattern and islands are those of that; not where bonds fail, as a script's law of what they leave may go by the time.
+  // K d = f for everything but contacts and softening bonds, and the contacts' rows. Where a step in motion begins as
+  // the last one did, in which nothing moved, rows, pattern and islands are those of that; not where bonds fail, as a
+  // script's law of what they leave may go by the time.
   void assemble(const Scheme& scheme, const ContactChoice& choice);
   // dt = 0: equilibrium.
   IslandResult solve(double dt, double most_effort, Vector& d);
 
-  struct Released {       // J/m, of what bonds that failed stored, and their blocks through them
+  struct Released {  // J/m, of what bonds that failed stored, and their blocks through them
     double energy = 0;
-    double on_way = 0;  // of that what they stored by the way from X to y alone, which the integrator's loss counts with the state
+    // of that what they stored by the way from X to y alone, which the integrator's loss counts with the state
+    double on_way = 0;
   };
   Released fail(const std::vector<int>& due, double time, bool motion, const std::vector<BondTraction>& judged = {});
-  double contacts_of_events() const;  // J/m, with which the contacts begin that take over from bonds that have failed in this step
-  int initial_cracks();               // bonds beyond their strength before the first step fail: how many did
+  // J/m, with which the contacts begin that take over from bonds that have failed in this step
+  double contacts_of_events() const;
+  int initial_cracks();  // bonds beyond their strength before the first step fail: how many did
   bool bonds_due() const { return fracture && fracture->any_due(); }
   const std::vector<int>& fractures() const;  // joints that failed in the last step
 
@@ -58,13 +61,14 @@ class StepParts {
   double transit() const { return transit_; }
 
   void visit_state(StateVisitor& visitor);  // the registry, model/registry.h
-  void restored();                          // the model has been put back, rewound() follows: what hangs on materials is stale
-  void rewound();                           // to the start of a step: what was derived from the model's state is stale
+  // the model has been put back, rewound() follows: what hangs on materials is stale
+  void restored();
+  void rewound();  // to the start of a step: what was derived from the model's state is stale
 
   // Of a program of one's own, from before the first step on (docs/extending.md).
   std::vector<std::shared_ptr<const Term>> terms;
-  // Called before each solve for equilibrium, of which a load step may take thousands; what it throws ends the step, and
-  // Simulation::step() puts everything back.
+  // Called before each solve for equilibrium, of which a load step may take thousands; what it throws ends the step,
+  // and Simulation::step() puts everything back.
   std::function<void()> on_equilibrium_solve;
 
   Model& model;

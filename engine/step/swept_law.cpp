@@ -3,7 +3,13 @@
 namespace talus {
 
 SweptLaw::SweptLaw(double normal, double mixed, double shear, double tan_phi, double held)
-    : friction(tan_phi), cohesion(held), nn(normal), ns(mixed), ss(shear), by_det(1 / (nn * ss - ns * ns)), by_ss(1 / ss) {
+    : friction(tan_phi),
+      cohesion(held),
+      nn(normal),
+      ns(mixed),
+      ss(shear),
+      by_det(1 / (nn * ss - ns * ns)),
+      by_ss(1 / ss) {
   for (const int way : {0, 1}) {
     const double steep = nn - (way == 0 ? 1 : -1) * ns * friction;
     by_steep[way] = steep > 0 ? 1 / steep : 0;

@@ -14,15 +14,15 @@ namespace {
 constexpr int caution = 40;
 constexpr int caution_among_cracks = 5;  // where contacts come and go with every step
 constexpr double careful_growth = 1.03, most_growth = 1.5, growth_among_cracks = 1.25;
-// Where what touches changes and sweeps with Newton's steps do not get on, twice within so many steps and in more than a part of what moves,
-// shorter ones cost as much for a second, and less is cut. Not so in a wall at rest, which the splitting solves once or time and again, nor
-// in a blast.
+// Where what touches changes and sweeps with Newton's steps do not get on, twice within so many steps and in more than
+// a part of what moves, shorter ones cost as much for a second, and less is cut. Not so in a wall at rest, which the
+// splitting solves once or time and again, nor in a blast.
 constexpr int caution_where_split = 100;
 constexpr double part_split = 0.1;
 constexpr double fall = 0.6;  // there, and where a step takes more than twice what is worth it
-// Effort of a step, in factors, from which on it grows no longer: of all; where what presses turns by so much in it that corners come and go, for then a step
-// costs by its length (theory, § 10); and among cracks, where two short steps are cheaper than one that states have to be looked for in. All shrink from twice
-// the first or the last on.
+// Effort of a step, in factors, from which on it grows no longer: of all; where what presses turns by so much in it
+// that corners come and go, for then a step costs by its length (theory, § 10); and among cracks, where two short steps
+// are cheaper than one that states have to be looked for in. All shrink from twice the first or the last on.
 constexpr double most_effort = 12, most_effort_turning = 4.5, most_effort_among_cracks = 8;
 constexpr double turning = 1e-3;  // rad
 
@@ -37,8 +37,9 @@ double first_step(const Model& model, double limit) {
   return std::min(speed > 0 ? limit / speed : infinity, g > 0 ? std::sqrt(2 * limit / g) : infinity);
 }
 
-// Of the thinnest thing that another may pass through, twice area / perimeter: the inradius of a triangle, near half the thickness of a
-// slab. A block that intact bonds hold along most of its perimeter is as thick as the body it is part of.
+// Of the thinnest thing that another may pass through, twice area / perimeter: the inradius of a triangle, near half
+// the thickness of a slab. A block that intact bonds hold along most of its perimeter is as thick as the body it is
+// part of.
 double thinnest_thing(const Model& model) {
   const std::vector<int> body = find_fragments(model);
   std::vector<double> bonded(model.shapes.size(), 0), area(model.shapes.size(), 0), outline(model.shapes.size(), 0);
@@ -76,7 +77,8 @@ double next_bend(const Scene& scene, double time) {
   return next;
 }
 
-StepSize::StepSize(const Model& model, bool contacts) : caution_(caution), worth_(most_effort), growth_(most_growth), since_split_(caution_where_split) {
+StepSize::StepSize(const Model& model, bool contacts)
+    : caution_(caution), worth_(most_effort), growth_(most_growth), since_split_(caution_where_split) {
   const TimeControl& time = model.scene.time;
   limit_ = time.displacement_ratio * model.extent;
   automatic_ = time.dt == 0;
@@ -120,15 +122,21 @@ void StepSize::cut(double dt, double displacement) {
 
 void StepSize::accepted(double dt, const Motion& motion, double effort, double split_anew) {
   if (dt < 0.5 * dt_) return;  // a short last step says nothing
-  const bool split = heeds_splits_ && split_anew > part_split, split_again = split && since_split_ < caution_where_split;
+  const bool split = heeds_splits_ && split_anew > part_split,
+             split_again = split && since_split_ < caution_where_split;
   since_split_ = split ? 0 : std::min(since_split_ + 1, caution_where_split);
   if (split_again) cautious_ = std::max(cautious_, caution_where_split);
   const double enough = motion.turn > turning ? most_effort_turning : worth_;
-  double growth = split_again || (effort > 2 * worth_ && dt > short_enough_) ? fall : effort > enough ? 1 : cautious_ > 0 ? careful_growth : growth_;
+  double growth = split_again || (effort > 2 * worth_ && dt > short_enough_) ? fall
+                  : effort > enough                                          ? 1
+                  : cautious_ > 0                                            ? careful_growth
+                                                                             : growth_;
   if (cautious_ > 0) --cautious_;
   const double bound = automatic_ ? limit_ : thinnest_;
-  if (motion.displacement > 0) growth = std::min(growth, std::max(automatic_ ? 0.5 : 1.0, 0.9 * bound / motion.displacement));
-  if (automatic_ && motion.turning_gain > 0) growth = std::min(growth, std::max(0.5, 0.8 / std::sqrt(motion.turning_gain)));
+  if (motion.displacement > 0)
+    growth = std::min(growth, std::max(automatic_ ? 0.5 : 1.0, 0.9 * bound / motion.displacement));
+  if (automatic_ && motion.turning_gain > 0)
+    growth = std::min(growth, std::max(0.5, 0.8 / std::sqrt(motion.turning_gain)));
   dt_ = std::min(automatic_ ? dt * growth : dt_ * std::max(1.0, growth), most_);
 }
 

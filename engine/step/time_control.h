@@ -6,13 +6,14 @@
 
 namespace talus {
 
-// s, the first time after `time` at which a table of a load, support or body force bends or jumps, or infinity: an automatic step ends there.
+// s, the first time after `time` at which a table of a load, support or body force bends or jumps, or infinity: an
+// automatic step ends there.
 double next_bend(const Scene& scene, double time);
 
 class StepSize {
  public:
   StepSize(const Model& model, bool contacts);
-  void among_cracks();                   // bonds can fail
+  void among_cracks();  // bonds can fail
   // s, a wave's way through a block: shorter steps are not easier to solve.
   void short_enough(double transit) { short_enough_ = transit; }
   void broken(const Model& model);  // bonds have failed
@@ -21,8 +22,9 @@ class StepSize {
   // m, the displacement that bounds an automatic step as turning by `turn` (rad) does.
   double as_far_as(double turn) const { return turn / most_turn * limit_; }
   bool heeds_turns() const { return heeds_turns_; }
-  // rad: where all turn by less in a step, the lever of a contact comes and goes with half the square of it. What topples from near its
-  // balance has no more energy than that at first; a step that was given, and even more one among cracks, is not halved for so little.
+  // rad: where all turn by less in a step, the lever of a contact comes and goes with half the square of it. What
+  // topples from near its balance has no more energy than that at first; a step that was given, and even more one among
+  // cracks, is not halved for so little.
   double straight() const { return straight_; }
   bool too_far(double displacement) const { return displacement > (automatic_ ? 2 * limit_ : thinnest_); }
   void cut(double dt, double displacement);  // after an attempt of `dt` that was thrown away
@@ -35,8 +37,9 @@ class StepSize {
   void stop_in(double seconds) {  // an automatic step, and the one before it is no short one
     if (automatic_ && seconds < 2 * dt_) dt_ = std::max(least_, seconds <= dt_ ? seconds : seconds / 2);
   }
-  // A change to `dt` from `last`: that length again, or half of dt where that is more, and then slowly on. Where that did not help, as what swings gains in
-  // steps of any length, not again meanwhile: steps would only ever become shorter.
+  // A change to `dt` from `last`: that length again, or half of dt where that is more, and then slowly on. Where that
+  // did not help, as what swings gains in steps of any length, not again meanwhile: steps would only ever become
+  // shorter.
   bool may_regret() const { return regrets_help_ || cautious_ == 0; }
   void regretted(bool helped) { regrets_help_ = helped; }
   void regret(double dt, double last) {
@@ -48,7 +51,8 @@ class StepSize {
     double turn;          // rad, of what is pressed
     double turning_gain;  // energy that turning leaves, by the square of the step, of what it may; 0 below heeded_gain
   };
-  // effort: what the solution took, in factors. split_anew: part of what moves whose contacts only the splitting solved, where it did not before.
+  // effort: what the solution took, in factors. split_anew: part of what moves whose contacts only the splitting
+  // solved, where it did not before.
   void accepted(double dt, const Motion& motion, double effort, double split_anew);
   static constexpr double heeded_gain = 0.2;  // of which a step that grows by half makes less than a half
   double least() const { return least_; }
@@ -71,16 +75,16 @@ class StepSize {
   double thinnest_;  // m, what a step given by the user may not pass either, where blocks can meet
   bool automatic_;
   double dt_, least_, most_, end_;
-  int caution_;       // steps, after one that did not converge
-  double worth_;      // factors, from which on a longer step does not pay
-  double growth_;     // of a step that went well
+  int caution_;              // steps, after one that did not converge
+  double worth_;             // factors, from which on a longer step does not pay
+  double growth_;            // of a step that went well
   double short_enough_ = 0;  // s, not shortened for what it takes
   bool heeds_splits_ = true, heeds_turns_;
-  double straight_;  // rad
+  double straight_;   // rad
   int cautious_ = 0;  // steps still to be grown slowly
   bool regrets_help_ = true;
-  int since_split_;   // steps since one that accepted() was told of with split_anew
-  double every_;  // s, between outputs, which an automatic step does not pass; 0: none
+  int since_split_;  // steps since one that accepted() was told of with split_anew
+  double every_;     // s, between outputs, which an automatic step does not pass; 0: none
 };
 
 }  // namespace talus

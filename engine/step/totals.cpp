@@ -6,8 +6,9 @@ namespace talus {
 
 void visit_state(RunTotals& totals, StateVisitor& v) {
   // parts, of_steps: CPU time is the process's.
-  [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, sweeps, splittings, pivots, steps_at_rest, steps_by_sweeps,
-                          islands, failures, inaccurate, largest_iterations, largest_utilisation, largest_residual, parts, of_steps] = totals;
+  [[maybe_unused]] auto& [steps, iterations, cuts, factorisations, sweeps, splittings, pivots, steps_at_rest,
+                          steps_by_sweeps, islands, failures, inaccurate, largest_iterations, largest_utilisation,
+                          largest_residual, parts, of_steps] = totals;
   v("steps", steps);
   v("iterations", iterations);
   v("cuts", cuts);
@@ -27,8 +28,8 @@ void visit_state(RunTotals& totals, StateVisitor& v) {
 }
 
 void visit_state(StepReport& report, StateVisitor& v) {
-  auto& [step, time, dt, iterations, cuts, factorisations, residual, displacement, closed_contacts, failures, utilisation,
-         error, collapsed] = report;
+  auto& [step, time, dt, iterations, cuts, factorisations, residual, displacement, closed_contacts, failures,
+         utilisation, error, collapsed] = report;
   v("step", step);
   v("time", time);
   v("dt", dt);

@@ -10,8 +10,9 @@ namespace talus {
 // rad, by blocks that something presses on as the step begins.
 double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>& moved);
 
-// J/m, by which the work of the normal forces that solve the step along the gaps as they come to be differs from that along the
-// straight lines it was solved with: energy that appears or is lost as blocks turn, Σ N |Δg - n·Δu|, of second order in the angle.
+// J/m, by which the work of the normal forces that solve the step along the gaps as they come to be differs from that
+// along the straight lines it was solved with: energy that appears or is lost as blocks turn, Σ N |Δg - n·Δu|, of
+// second order in the angle.
 struct TurningWork {
   double all = 0;       // of contacts one of whose blocks turns by more than `least` (rad)
   double of_turns = 0;  // by more than `straight`, which is no less

@@ -33,8 +33,10 @@ void move_block(const Model& model, const Scheme& scheme, const Vector& d, int b
   for (size_t k = first_order_dofs; k < size; ++k) (*moved.bend)[k - first_order_dofs] += move[k];
   if (shape.dofs > rigid_dofs && scheme.step_v > 0) {
     // Solved with the reference moment I; the angular momentum I(e) ω of the mean spin is what is kept.
-    const double i = moment_of_inertia(model, block, Vec3::Zero()), before = moment_of_inertia(model, block, from.strain, from.bend),
-                 after = moment_of_inertia(model, block, moved.strain, moved.bend), spin = mean_spin(model, block, from), to = mean_spin(model, block, moved);
+    const double i = moment_of_inertia(model, block, Vec3::Zero()),
+                 before = moment_of_inertia(model, block, from.strain, from.bend),
+                 after = moment_of_inertia(model, block, moved.strain, moved.bend),
+                 spin = mean_spin(model, block, from), to = mean_spin(model, block, moved);
     moved.velocity[2] += (before * spin + i * (to - spin)) / after - to;
   }
 }
@@ -68,7 +70,8 @@ namespace {
 
 bool is_supported(const Model& model, int block) {
   const auto here = [block](const auto& fixity) { return fixity.block == block; };
-  return model.held_by[size_t(block)] >= 0 || std::ranges::any_of(model.point_fixities, here) || std::ranges::any_of(model.edge_fixities, here);
+  return model.held_by[size_t(block)] >= 0 || std::ranges::any_of(model.point_fixities, here) ||
+         std::ranges::any_of(model.edge_fixities, here);
 }
 
 }  // namespace

@@ -51,9 +51,8 @@ std::uint64_t Keys::of(std::size_t run) const {
 bool Keys::same(std::size_t run, const Outcome& outcome) {
   if (outcome.key != of(run) || outcome.inputs.empty()) return false;
   return std::all_of(outcome.inputs.begin(), outcome.inputs.end(), [&](const InputFile& input) {
-    const std::string path = input.path.starts_with(in_library)
-                                 ? library_ + input.path.substr(in_library.size())
-                                 : (fs::path(scene_folder_) / input.path).string();
+    const std::string path = input.path.starts_with(in_library) ? library_ + input.path.substr(in_library.size())
+                                                                : (fs::path(scene_folder_) / input.path).string();
     const auto [known, is_new] = hashes_.try_emplace(path, 0);
     if (is_new) known->second = hash_of_file(path);
     return known->second == input.hash;

@@ -1,6 +1,6 @@
 #pragma once
-// What a run depends on: the engine, its parameters, and the files that its scene was made of, those of the Lua library among
-// them. A finished run of which all this is as it was need not be made again.
+// What a run depends on: the engine, its parameters, and the files that its scene was made of, those of the Lua library
+// among them. A finished run of which all this is as it was need not be made again.
 #include <map>
 #include <string>
 

@@ -63,9 +63,8 @@ void draw_cells(Svg& svg, const Frame& frame, const ValueMap& map, const ColourS
 void draw_discs(Svg& svg, const Frame& frame, const ValueMap& map, const ColourScale& scale) {
   for (std::size_t i = 0; i < map.at.size(); ++i)
     if (std::isfinite(map.values[i]))
-      svg.circle(
-          frame.at(map.at[i]), 7,
-          "fill=\"" + colour(scale.map, scale.place(map.values[i])) + "\" stroke=\"#444\" stroke-width=\"0.8\"");
+      svg.circle(frame.at(map.at[i]), 7,
+                 "fill=\"" + colour(scale.map, scale.place(map.values[i])) + "\" stroke=\"#444\" stroke-width=\"0.8\"");
 }
 
 }  // namespace

@@ -50,8 +50,7 @@ std::optional<Outcome> read_outcome(const std::string& folder) {
   while (std::getline(file, line)) {
     if (line == last_line) return outcome;
     const std::size_t space = line.find(' ');
-    const std::string word = line.substr(0, space),
-                      value = space == std::string::npos ? "" : line.substr(space + 1);
+    const std::string word = line.substr(0, space), value = space == std::string::npos ? "" : line.substr(space + 1);
     if (word == "key") outcome.key = read<std::uint64_t>(value, 16);
     if (word == "exit") outcome.exit_status = read<int>(value);
     if (word == "signal") outcome.signal = read<int>(value);
@@ -68,8 +67,8 @@ std::optional<Outcome> read_outcome(const std::string& folder) {
 void write_outcome(const std::string& folder, const Outcome& outcome) {
   std::string text = std::string(first_line) + "\nkey " + hex(outcome.key) + "\nexit " +
                      std::to_string(outcome.exit_status) + "\nsignal " + std::to_string(outcome.signal) +
-                     "\ntime_limit " + shortest(outcome.time_limit) + "\nwall " + fixed(outcome.wall, 3) +
-                     "\ncpu " + fixed(outcome.cpu, 3) + "\n";
+                     "\ntime_limit " + shortest(outcome.time_limit) + "\nwall " + fixed(outcome.wall, 3) + "\ncpu " +
+                     fixed(outcome.cpu, 3) + "\n";
   for (const InputFile& input : outcome.inputs) text += "input " + hex(input.hash) + " " + input.path + "\n";
   text += "message " + outcome.message + "\n" + std::string(last_line) + "\n";
   write_whole(file_of(folder), text);

@@ -46,13 +46,11 @@ document.querySelectorAll("th").forEach((head, column) => head.addEventListener(
 )";
 
 std::string cell(const std::string& text, const char* kind = "") {
-  return std::string("<td") + (*kind ? std::string(" class=\"") + kind + "\"" : "") + ">" + escape_xml(text) +
-         "</td>";
+  return std::string("<td") + (*kind ? std::string(" class=\"") + kind + "\"" : "") + ">" + escape_xml(text) + "</td>";
 }
 
 std::string heading(const std::string& text, const char* kind = "") {
-  return std::string("<th") + (*kind ? std::string(" class=\"") + kind + "\"" : "") + ">" + escape_xml(text) +
-         "</th>";
+  return std::string("<th") + (*kind ? std::string(" class=\"") + kind + "\"" : "") + ">" + escape_xml(text) + "</th>";
 }
 
 std::string table(const Study& study, const std::vector<StudyRow>& rows) {
@@ -67,8 +65,8 @@ std::string table(const Study& study, const std::vector<StudyRow>& rows) {
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const StudyRow& row = rows[r];
     const std::string name = escape_xml(study.runs[r].name);
-    html += std::string("<tr") + (row.good() ? "" : " class=\"bad\"") + "><td class=\"text\"><a href=\"runs/" +
-            name + "/\">" + name + "</a></td>";
+    html += std::string("<tr") + (row.good() ? "" : " class=\"bad\"") + "><td class=\"text\"><a href=\"runs/" + name +
+            "/\">" + name + "</a></td>";
     for (const std::string& parameter : study.parameters) {
       const Setting* setting = setting_of(study.runs[r], parameter);
       html += cell(setting ? setting->text : "");

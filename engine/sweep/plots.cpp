@@ -142,8 +142,8 @@ std::map<double, std::vector<std::size_t>> groups(const Axis& axis, const std::v
   return result;
 }
 
-std::string draw_curves(const Axis& x, const Axis& group, const Values& values,
-                        const std::vector<std::size_t>& runs, const std::string& title) {
+std::string draw_curves(const Axis& x, const Axis& group, const Values& values, const std::vector<std::size_t>& runs,
+                        const std::string& title) {
   Plot plot = new_plot(x, values, title);
   for (const auto& [level, members] : groups(group, runs))
     add_curve(plot, spaced(group.name) + " = " + group.levels.at(level), x, values, members);
@@ -182,9 +182,9 @@ std::vector<Panel> panels(const std::vector<Axis>& axes, std::size_t first, cons
     std::vector<Panel> finer;
     for (const Panel& panel : list)
       for (const auto& [level, members] : groups(axes[a], panel.runs))
-        finer.push_back({panel.title + (panel.title.empty() ? "" : ", ") + spaced(axes[a].name) + " = " +
-                             axes[a].levels.at(level),
-                         members});
+        finer.push_back(
+            {panel.title + (panel.title.empty() ? "" : ", ") + spaced(axes[a].name) + " = " + axes[a].levels.at(level),
+             members});
     list = std::move(finer);
   }
   return list;
@@ -243,8 +243,7 @@ std::vector<ColumnPlots> plots_of(const Study& study, const std::vector<StudyRow
     if (runs.empty() || axes.empty()) continue;
     ColumnPlots plots{study.columns[c].name, {}, 0};
     if (axes.size() == 1) {
-      draw_one(plots, axes[0], values, runs,
-               !study.seed_parameter.empty() && axes[0].name != study.seed_parameter);
+      draw_one(plots, axes[0], values, runs, !study.seed_parameter.empty() && axes[0].name != study.seed_parameter);
     } else if (is_sample(axes, study.runs.size())) {
       draw_sample(plots, axes, values, runs);
     } else {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "step/clock.h"
 #include "output/text.h"
+#include "step/clock.h"
 
 namespace talus {
 
@@ -77,8 +77,7 @@ bool Pool::start(std::size_t run) {
   const std::string folder = study_.folder(run);
   FolderLock lock(folder);
   if (!lock.held()) return false;
-  if (const auto outcome = read_outcome(folder);
-      outcome && reusable(study_, keys_, run, *outcome, options_.retry)) {
+  if (const auto outcome = read_outcome(folder); outcome && reusable(study_, keys_, run, *outcome, options_.retry)) {
     on_end(run, *outcome);  // another sweep has made it in the meantime
     return true;
   }
@@ -120,7 +119,7 @@ void Pool::finish(const Job& job, int status, const rusage& usage) {
                   .cpu = seconds(usage.ru_utime) + seconds(usage.ru_stime),
                   .inputs = keys_.read_inputs(folder + "/" + inputs_name)};
   outcome.message = over_time ? "stopped after the study's time_limit of " + shortest(study_.time_limit) + " s"
-                                  : message_of_log(folder + "/" + log_name, outcome.exit_status, outcome.signal);
+                              : message_of_log(folder + "/" + log_name, outcome.exit_status, outcome.signal);
   if (outcome.final()) write_outcome(folder, outcome);
   on_end(job.run, outcome);
 }

@@ -39,15 +39,14 @@ std::size_t largest_array() {
   if (config.exit_status != 0 || at == std::string::npos) return default_array;
   const std::size_t digits = config.text.find_first_of("0123456789", at);
   std::size_t size = 0;
-  std::from_chars(config.text.data() + std::min(digits, config.text.size()),
-                  config.text.data() + config.text.size(), size);
+  std::from_chars(config.text.data() + std::min(digits, config.text.size()), config.text.data() + config.text.size(),
+                  size);
   return size > 1 ? size - 1 : default_array;
 }
 
 std::vector<std::string> resources(const SlurmResources& slurm) {
   std::vector<std::string> words = {"--cpus-per-task=" + std::to_string(slurm.cpus)};
-  if (slurm.seconds > 0)
-    words.push_back("--time=" + std::to_string(static_cast<long>(std::ceil(slurm.seconds / 60))));
+  if (slurm.seconds > 0) words.push_back("--time=" + std::to_string(static_cast<long>(std::ceil(slurm.seconds / 60))));
   if (slurm.megabytes > 0)
     words.push_back("--mem=" + std::to_string(static_cast<long>(std::ceil(slurm.megabytes))) + "M");
   if (!slurm.partition.empty()) words.push_back("--partition=" + slurm.partition);
@@ -58,8 +57,7 @@ std::vector<std::string> resources(const SlurmResources& slurm) {
 
 }  // namespace
 
-SlurmJob::SlurmJob(const Study& study, std::vector<std::string> command)
-    : study_(study), command_(std::move(command)) {
+SlurmJob::SlurmJob(const Study& study, std::vector<std::string> command) : study_(study), command_(std::move(command)) {
   read();
 }
 
@@ -89,8 +87,7 @@ void SlurmJob::submit(const std::vector<std::size_t>& runs) {
   const std::size_t most = largest_array();
   for (std::size_t from = 0; from < runs.size(); from += most) {
     std::vector<std::string> names;
-    for (std::size_t i = from; i < std::min(runs.size(), from + most); ++i)
-      names.push_back(study_.runs[runs[i]].name);
+    for (std::size_t i = from; i < std::min(runs.size(), from + most); ++i) names.push_back(study_.runs[runs[i]].name);
     submit_array(names);
     write();  // after each: what is submitted must not be forgotten
   }
@@ -106,14 +103,13 @@ void SlurmJob::submit_array(const std::vector<std::string>& names) {
   script += " --only \"${runs[SLURM_ARRAY_TASK_ID - 1]}\"\n";
   const std::string file = dir + "/slurm.sh";
   write_whole(file, script);
-  std::vector<std::string> words = {
-      "sbatch",
-      "--parsable",
-      "--job-name=" + study_.title,
-      "--array=1-" + std::to_string(names.size()) +
-          (study_.slurm.at_once > 0 ? "%" + std::to_string(study_.slurm.at_once) : ""),
-      "--output=" + dir + "/slurm/%A_%a.out",
-      "--chdir=" + fs::current_path().string()};
+  std::vector<std::string> words = {"sbatch",
+                                    "--parsable",
+                                    "--job-name=" + study_.title,
+                                    "--array=1-" + std::to_string(names.size()) +
+                                        (study_.slurm.at_once > 0 ? "%" + std::to_string(study_.slurm.at_once) : ""),
+                                    "--output=" + dir + "/slurm/%A_%a.out",
+                                    "--chdir=" + fs::current_path().string()};
   const std::vector<std::string> wanted = resources(study_.slurm);
   words.insert(words.end(), wanted.begin(), wanted.end());
   words.push_back(file);
@@ -148,8 +144,7 @@ bool SlurmJob::running() {
   for (std::string state; std::getline(lines, state);) {
     if (has_ended(state)) continue;
     any = true;
-    std::ranges::transform(state, state.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::ranges::transform(state, state.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     ++states_[state];
   }
   return any;
@@ -157,8 +152,7 @@ bool SlurmJob::running() {
 
 std::string SlurmJob::states() const {
   std::string text;
-  for (const auto& [state, count] : states_)
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + state;
+  for (const auto& [state, count] : states_) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + state;
   return text.empty() ? "no answer" : text;
 }
 

@@ -8,10 +8,10 @@
 #include <set>
 #include <thread>
 
-#include "step/clock.h"
 #include "output/output.h"
 #include "output/progress.h"
 #include "scene/error.h"
+#include "step/clock.h"
 #include "sweep/page.h"
 #include "sweep/pool.h"
 #include "sweep/scene_parameters.h"
@@ -23,9 +23,8 @@ namespace talus {
 
 namespace {
 
-constexpr std::size_t most_said =
-    10;                            // failures that are told when they come; what many runs fail of is told once
-constexpr double table_every = 5;  // s between tables while runs end
+constexpr std::size_t most_said = 10;  // failures that are told when they come; what many runs fail of is told once
+constexpr double table_every = 5;      // s between tables while runs end
 
 std::string plural(std::size_t count, const std::string& thing) {
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
@@ -68,8 +67,9 @@ class Sweep {
 // A run's results as its study wants them.
 void Sweep::take(std::size_t run, const Outcome& outcome) {
   rows_[run].outcome = outcome;
-  rows_[run].collected =
-      outcome.has_results() && study_.collect ? study_.collect(run, study_.folder(run), HeldSignals::stop_asked) : Collected{};
+  rows_[run].collected = outcome.has_results() && study_.collect
+                             ? study_.collect(run, study_.folder(run), HeldSignals::stop_asked)
+                             : Collected{};
 }
 
 void Sweep::look_at_what_is_there() {
@@ -133,10 +133,10 @@ int Sweep::run_only() {
     } else if (std::to_string(number) == wanted && number >= 1 && number <= study_.runs.size()) {
       queue.push_back(number - 1);
     } else {
-      throw InputError({}, "--only",
-                       "the name of a run of " + study_.file + ", or its number from 1 to " +
-                           std::to_string(study_.runs.size()),
-                       '"' + wanted + '"');
+      throw InputError(
+          {}, "--only",
+          "the name of a run of " + study_.file + ", or its number from 1 to " + std::to_string(study_.runs.size()),
+          '"' + wanted + '"');
     }
   }
   int status = 0;
@@ -202,7 +202,8 @@ void Sweep::warn_of_changes() {
     if (rows_[run].outcome && rows_[run].outcome->final() && !now.same(run, *rows_[run].outcome)) ++old;
   if (old > 0)
     progress_.say(plural(old, "run") + (old == 1 ? " is" : " are") +
-                  " of files that have changed meanwhile: the next sweep makes " + (old == 1 ? "it" : "them") + " again");
+                  " of files that have changed meanwhile: the next sweep makes " + (old == 1 ? "it" : "them") +
+                  " again");
 }
 
 int Sweep::write_results(int signal) {

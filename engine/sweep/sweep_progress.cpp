@@ -6,8 +6,8 @@
 #include <cmath>
 #include <iostream>
 
-#include "step/clock.h"
 #include "output/progress.h"
+#include "step/clock.h"
 
 namespace talus {
 

@@ -19,8 +19,7 @@ std::string StudyRow::message() const {
 std::string unit_of(const Study& study, const std::vector<StudyRow>& rows, std::size_t column) {
   if (!study.columns[column].unit.empty()) return study.columns[column].unit;
   for (const StudyRow& row : rows)
-    if (column < row.collected.units.size() && !row.collected.units[column].empty())
-      return row.collected.units[column];
+    if (column < row.collected.units.size() && !row.collected.units[column].empty()) return row.collected.units[column];
   return "";
 }
 

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     options.parameters.emplace_back(text.substr(0, text.find('=')), text.substr(text.find('=') + 1));
   }
   long steps = 0;
-  double strain = 0;  // J per metre
+  double strain = 0;                       // J per metre
   options.on_run = [&](talus::Run& run) {  // each simulation that the scene makes
     run.simulation.on_step.emplace_back([&](talus::Simulation& simulation) {
       ++steps;

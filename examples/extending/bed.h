@@ -1,4 +1,5 @@
-// A term of one's own: an elastic bed (Winkler 1867) under an edge. Where the edge moves by u it pulls back by k u, per length.
+// A term of one's own: an elastic bed (Winkler 1867) under an edge. Where the edge moves by u it pulls back by k u, per
+// length.
 #pragma once
 #include "equations/side.h"
 #include "equations/term.h"
@@ -14,7 +15,8 @@ class Bed : public talus::Term {
       const talus::Vec2 centroid = shape.reference_centroid + model.origin;
       for (int k = 0; k < model.vertex_count(b); ++k) {
         const std::array edge = {model.reference_vertex[shape.vertex_begin + k],
-                                 model.reference_vertex[shape.vertex_begin + model.next_vertex(b, k)]};  // from the centroid
+                                 // from the centroid
+                                 model.reference_vertex[shape.vertex_begin + model.next_vertex(b, k)]};
         if (!between(centroid + edge[0], from, to) || !between(centroid + edge[1], from, to)) continue;
         for (const talus::GaussPoint& point : talus::gauss_points(shape))
           points_.push_back({b, talus::between(edge, point.at), (edge[1] - edge[0]).norm() * point.share});

@@ -1,5 +1,5 @@
-// The rigid scenes of tests/bench in Box2D: box2d incline|wall <dt> <velocity iterations> [courses]. Prints BENCH, bodies and the error
-// as the scenes of Talus do.
+// The rigid scenes of tests/bench in Box2D: box2d incline|wall <dt> <velocity iterations> [courses]. Prints BENCH,
+// bodies and the error as the scenes of Talus do.
 #include <box2d/box2d.h>
 
 #include <algorithm>
@@ -73,7 +73,8 @@ int main(int count, char** arguments) {
   const double dt = std::atof(arguments[2]);
   const int iterations = std::atoi(arguments[3]);
   int bodies = 2;
-  const double error = std::string(arguments[1]) == "incline" ? incline(dt, iterations)
-                                                              : wall(dt, iterations, count > 4 ? std::atoi(arguments[4]) : 10, bodies);
+  const double error = std::string(arguments[1]) == "incline"
+                           ? incline(dt, iterations)
+                           : wall(dt, iterations, count > 4 ? std::atoi(arguments[4]) : 10, bodies);
   std::printf("BENCH %d %.6g\n", bodies, error);
 }

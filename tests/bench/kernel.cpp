@@ -1,5 +1,5 @@
-// The calibration kernel: products of 6 × 6 matrices, 2·10⁷ of them, as block assembly does, one thread. Its CPU time says how fast the
-// machine was on which a table of times was made.
+// The calibration kernel: products of 6 × 6 matrices, 2·10⁷ of them, as block assembly does, one thread. Its CPU time
+// says how fast the machine was on which a table of times was made.
 #include <chrono>
 #include <cstdio>
 #include <ctime>

@@ -54,8 +54,7 @@ Cone::Cone(Desk& desk) : desk_(desk), count_(desk.count()) {
 
 double Cone::barrier(double s) const {
   double sum = 0;
-  for (size_t k = 0; k < count_; ++k)
-    sum += plus(k, s) * (up_[k] + s * dup_[k]) + minus(k, s) * (um_[k] + s * dum_[k]);
+  for (size_t k = 0; k < count_; ++k) sum += plus(k, s) * (up_[k] + s * dup_[k]) + minus(k, s) * (um_[k] + s * dum_[k]);
   return sum / double(2 * count_);
 }
 

@@ -13,8 +13,8 @@ namespace talus::study {
 namespace {
 
 constexpr double least_part = 1e-4;
-constexpr double bound_part =
-    1e-6;  // of the largest normal force: what is so near its bound and wants to cross it is held
+// of the largest normal force: what is so near its bound and wants to cross it is held
+constexpr double bound_part = 1e-6;
 
 struct Step {
   std::vector<double> normal, shear;  // N, forces that Newton's step asks for

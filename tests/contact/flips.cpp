@@ -83,8 +83,8 @@ void flips(Desk& desk) {
     const int flipped = flip(desk, gap, slide, s);
     if ((flipped == 0 || desk.done()) && !settled) {
       settled = true;
-      std::snprintf(note, sizeof note, "states settle after %d: residual %.1e, ΔE %.6e",
-                    desk.outcome.factorisations, residual, desk.problem.energy(d) - desk.problem.energy());
+      std::snprintf(note, sizeof note, "states settle after %d: residual %.1e, ΔE %.6e", desk.outcome.factorisations,
+                    residual, desk.problem.energy(d) - desk.problem.energy());
       if (desk.outcome.factorisations <= usual) desk.outcome.accepted = residual;
     }
     if (desk.outcome.factorisations == usual && !settled)

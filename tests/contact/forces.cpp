@@ -110,9 +110,8 @@ double Forces::value() const {
     const ContactRows& row = desk_.row(k);
     sum[links_[k].i] += normal[k] * links_[k].ni - shear[k] * links_[k].si;
     sum[links_[k].j] += normal[k] * links_[k].nj - shear[k] * links_[k].sj;
-    value +=
-        (normal[k] * (row.gap0 + normal[k] / (2 * row.kn)) + shear[k] * (shear[k] / (2 * row.ks) - row.slide0)) /
-        desk_.factor();
+    value += (normal[k] * (row.gap0 + normal[k] / (2 * row.kn)) + shear[k] * (shear[k] / (2 * row.ks) - row.slide0)) /
+             desk_.factor();
   }
   for (size_t b = 0; b < sum.size(); ++b) value += sum[b].dot(inverse_[b] * sum[b]) / 2;
   return value;
@@ -123,9 +122,8 @@ void Forces::settle(size_t k) {
   const ContactRows& row = desk_.row(k);
   const double gap_now = gap(k);
   if (normal[k] == 0 && gap_now >= 0) return;
-  const auto [n, t] =
-      law(gap_now - l.nn * normal[k] + l.ns * shear[k], slide(k) - l.ns * normal[k] + l.ss * shear[k],
-          l.nn + 1 / row.kn, l.ns, l.ss + 1 / row.ks, row.friction, row.cohesion);
+  const auto [n, t] = law(gap_now - l.nn * normal[k] + l.ns * shear[k], slide(k) - l.ns * normal[k] + l.ss * shear[k],
+                          l.nn + 1 / row.kn, l.ns, l.ss + 1 / row.ks, row.friction, row.cohesion);
   const double dn = n - normal[k], dt = t - shear[k];
   motion_[l.i] += dn * l.moved_ni - dt * l.moved_si;
   motion_[l.j] += dn * l.moved_nj - dt * l.moved_sj;

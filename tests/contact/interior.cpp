@@ -159,8 +159,7 @@ int Frozen::solve(Interior& x) {
 void interior(Desk& desk, bool warm) {
   const double force = desk.usual_force(), length = desk.usual_length();
   std::vector<double> limit, pace(desk.count(), 1), last(desk.count(), 0);
-  for (size_t k = 0; k < desk.count(); ++k)
-    limit.push_back(Desk::limit(desk.row(k), desk.contact(k).normal_force));
+  for (size_t k = 0; k < desk.count(); ++k) limit.push_back(Desk::limit(desk.row(k), desk.contact(k).normal_force));
   Interior x;
   std::string inner;
   for (int outer = 0; !desk.done() && !desk.spent(); ++outer) {

@@ -18,7 +18,8 @@ double energy_of(const Model& model, double ahead) {
   for (size_t b = 0; b < model.blocks.size(); ++b) {
     const BlockState& state = model.blocks[b];
     if (model.shapes[b].dofs > 0)
-      sum -= model.mass(int(b)) * model.scene.gravity.dot(state.shift + ahead * Vec2(state.velocity[0], state.velocity[1]));
+      sum -= model.mass(int(b)) *
+             model.scene.gravity.dot(state.shift + ahead * Vec2(state.velocity[0], state.velocity[1]));
   }
   return sum;
 }

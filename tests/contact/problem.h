@@ -35,8 +35,8 @@ struct Outcome {
   int factorisations = 0, sweeps = 0;
   double seconds = 0;  // CPU
   Vector d;            // that of the residual
-  double accepted =
-      -1;  // classical flips: the residual that their own rule accepts, or -1 where it takes a shorter step
+  // classical flips: the residual that their own rule accepts, or -1 where it takes a shorter step
+  double accepted = -1;
   std::string note;
 };
 
@@ -59,8 +59,7 @@ class Desk {
   // Gap and stretch of every contact at d; with `rate`, their change along it.
   void places(const Vector& d, std::vector<double>& gap, std::vector<double>& slide, bool rate = false) const;
   // f - K d + Σ N n - T s
-  Vector out_of_balance(const Vector& d, const std::vector<double>& normal,
-                        const std::vector<double>& shear) const;
+  Vector out_of_balance(const Vector& d, const std::vector<double>& normal, const std::vector<double>& shear) const;
   Vector product(const Vector& x) const;  // K x, without contacts
   // What is usual here, for interiors to start from: N, m.
   double usual_force() const;
@@ -99,7 +98,8 @@ struct BareCost {
 };
 BareCost bare_cost(const Problem& problem, int times);
 
-// Runs a scene and prints what its steps cost beside a bare factorisation and solve of their system, every so many steps.
+// Runs a scene and prints what its steps cost beside a bare factorisation and solve of their system, every so many
+// steps.
 int report_steps(const std::string& script, const std::vector<std::pair<std::string, std::string>>& parameters);
 
 // The candidates. Each starts from d = 0 and from the forces and states of the last step.

@@ -10,7 +10,8 @@ void shipped(Desk& desk) {
   const Numerics& numerics = problem.model.scene.numerics;
   const OpenCloseSettings settings{numerics.contact_tolerance, numerics.max_iterations, true};
   Vector d;
-  const IslandResult result = islands.solve(problem.model, problem.system, problem.contacts, settings, problem.scheme.dt, d);
+  const IslandResult result =
+      islands.solve(problem.model, problem.system, problem.contacts, settings, problem.scheme.dt, d);
   desk.judge(d);
   desk.outcome.residual = result.residual;
   desk.outcome.converged = result.converged;

@@ -1,4 +1,5 @@
-// What the steps of a scene cost beside one bare factorisation and solve of their own system: scripts/contact_study --steps.
+// What the steps of a scene cost beside one bare factorisation and solve of their own system: scripts/contact_study
+// --steps.
 #include <algorithm>
 #include <cstdio>
 
@@ -12,7 +13,8 @@ namespace talus::study {
 namespace {
 
 bool of_steps(const std::string& part) {
-  return part == "contact search" || part == "assembly" || part == "open-close and solve" || part == "update" || part == "fracture";
+  return part == "contact search" || part == "assembly" || part == "open-close and solve" || part == "update" ||
+         part == "fracture";
 }
 
 // CPU of the steps, s: nothing that a step does not need.
@@ -31,9 +33,10 @@ struct Row {
 };
 
 void print(const char* what, const Row& row) {
-  const double step = row.seconds / double(row.steps), known = row.bare.known / row.samples, fresh = row.bare.fresh / row.samples;
-  std::printf("| %s | %ld | %.3g | %.3g | %.3g | %.1f | %.3g | %.1f |\n", what, row.steps, 1e3 * row.time / double(row.steps), 1e3 * step, 1e3 * known,
-              step / known, 1e3 * fresh, step / fresh);
+  const double step = row.seconds / double(row.steps), known = row.bare.known / row.samples,
+               fresh = row.bare.fresh / row.samples;
+  std::printf("| %s | %ld | %.3g | %.3g | %.3g | %.1f | %.3g | %.1f |\n", what, row.steps,
+              1e3 * row.time / double(row.steps), 1e3 * step, 1e3 * known, step / known, 1e3 * fresh, step / fresh);
   std::fflush(stdout);
 }
 
@@ -47,14 +50,15 @@ int report_steps(const std::string& script, const std::vector<std::pair<std::str
   Row all, now;
   double end = 0;  // s, of the present row
   int sampled = 0;
-  RunTotals totals;  // after the last step
+  RunTotals totals;                          // after the last step
   std::vector<std::pair<int, int>> pattern;  // of the last system
   long systems = 0, changed = 0;
   options.on_run = [&](Run& run) {
     Simulation& simulation = run.simulation;
     if (simulation.model.scene.time.max_steps == 1) return;  // with which a scene makes its mesh
     end = simulation.model.scene.time.t_end / 12;
-    std::printf("| until, s | steps | mean step, ms | CPU a step, ms | bare, ms | ratio | bare of a new pattern, ms | ratio |\n|---|---|---|---|---|---|---|---|\n");
+    std::printf(
+        "| until, s | steps | mean step, ms | CPU a step, ms | bare, ms | ratio | bare of a new pattern, ms | ratio |\n|---|---|---|---|---|---|---|---|\n");
     simulation.stepper().on_assembled = [&](const Scheme& scheme, const System& system, const ContactTerms& contacts) {
       const long step = simulation.totals.steps;
       ++systems;
@@ -91,10 +95,13 @@ int report_steps(const std::string& script, const std::vector<std::pair<std::str
   };
   const int status = Session(std::move(options)).execute();
   if (all.steps > 0) print("all", all);
-  if (systems > 0) std::printf("\n%.0f %% of the systems have another pattern than the one before.\n", 100.0 * double(changed) / double(systems));
+  if (systems > 0)
+    std::printf("\n%.0f %% of the systems have another pattern than the one before.\n",
+                100.0 * double(changed) / double(systems));
   if (totals.steps > 0) std::printf("\n| part of a step | CPU, s | of all, %% |\n|---|---|---|\n");
   for (const auto& [part, seconds] : totals.parts)
-    if (of_steps(part)) std::printf("| %s | %.3g | %.0f |\n", part.c_str(), seconds, 100 * seconds / step_seconds(totals));
+    if (of_steps(part))
+      std::printf("| %s | %.3g | %.0f |\n", part.c_str(), seconds, 100 * seconds / step_seconds(totals));
   return status;
 }
 

@@ -70,8 +70,8 @@ void print_row(const Problem& problem, const Named& candidate, const Outcome& ou
   std::fflush(stdout);
 }
 
-// own: the residual at which the engine took the step, or 0 where it had to cut it or began again from where it had got to, or used the splitting,
-// which an island that needed it in the step before gets at once.
+// own: the residual at which the engine took the step, or 0 where it had to cut it or began again from where it had got
+// to, or used the splitting, which an island that needed it in the step before gets at once.
 void compare(Problem& problem, double own, Tallies& tallies) {
   if (Desk(problem).count() == 0) throw std::runtime_error(problem.name + ": nothing touches in this step");
   problem.bare = bare_cost(problem, 10).known;
@@ -133,7 +133,7 @@ void check(Problem& problem, double, Tallies& tallies) {
 bool study(const std::string& folder, const Entry& entry, decltype(&compare) use, Tallies& tallies) {
   Problem problem;
   bool found = false;
-  int assembled = 0;   // times, for that step
+  int assembled = 0;    // times, for that step
   long splittings = 0;  // iterations, before it
   SessionOptions options;
   options.script = folder + "/" + entry.scene;
@@ -207,7 +207,10 @@ int main(int argc, char** argv) {
   }
   const bool checks = !names.empty() && names.front() == "--check";
   if (checks) names.erase(names.begin());
-  if (names.empty()) return std::fprintf(stderr, "contact_study [--check] <folder of problems.txt> [name…] | --steps <scene> [name=value…]\n"), 2;
+  if (names.empty())
+    return std::fprintf(stderr,
+                        "contact_study [--check] <folder of problems.txt> [name…] | --steps <scene> [name=value…]\n"),
+           2;
   Tallies tallies;
   int lost = 0;
   for (const Entry& entry : read_list(names.front())) {

@@ -1,5 +1,6 @@
 // fuzz TARGET RUNS [SEED]: inputs made from the corpus (tests/fuzz/corpus/TARGET) by a fixed seed; RUNS may be 30s. A
-// crash, a hang (20 s of CPU) or an exception that the target does not document leaves the input in fuzz_TARGET.input; `fuzz TARGET FILE` runs it again.
+// crash, a hang (20 s of CPU) or an exception that the target does not document leaves the input in fuzz_TARGET.input;
+// `fuzz TARGET FILE` runs it again.
 #include <sys/time.h>
 
 #include <algorithm>
@@ -41,23 +42,39 @@ void on_signal(int number) {
   std::raise(number);
 }
 
-std::string mutated(const std::string& base, const std::vector<std::string>& corpus, const Target& target, Random& random) {
+std::string mutated(const std::string& base, const std::vector<std::string>& corpus, const Target& target,
+                    Random& random) {
   std::string bytes = base;
   for (std::size_t round = 1 + random.below(4); round > 0; --round) {
-    const std::size_t at = random.below(bytes.size() + 1), length = random.below(std::min<std::size_t>(bytes.size() - at, 32) + 1);
+    const std::size_t at = random.below(bytes.size() + 1),
+                      length = random.below(std::min<std::size_t>(bytes.size() - at, 32) + 1);
     switch (random.below(8)) {
-      case 0: if (at < bytes.size()) bytes[at] = char(random.next()); break;
-      case 1: if (at < bytes.size()) bytes[at] = char(bytes[at] ^ (1 << random.below(8))); break;
-      case 2: bytes.erase(at, length); break;
-      case 3: bytes.insert(at, bytes.substr(at, length)); break;
-      case 4: bytes.resize(at); break;
-      case 5: bytes.insert(at, target.words.empty() ? "\n" : target.words[random.below(target.words.size())]); break;
+      case 0:
+        if (at < bytes.size()) bytes[at] = char(random.next());
+        break;
+      case 1:
+        if (at < bytes.size()) bytes[at] = char(bytes[at] ^ (1 << random.below(8)));
+        break;
+      case 2:
+        bytes.erase(at, length);
+        break;
+      case 3:
+        bytes.insert(at, bytes.substr(at, length));
+        break;
+      case 4:
+        bytes.resize(at);
+        break;
+      case 5:
+        bytes.insert(at, target.words.empty() ? "\n" : target.words[random.below(target.words.size())]);
+        break;
       case 6: {
         const std::string& other = corpus[random.below(corpus.size())];
         bytes = bytes.substr(0, at) + other.substr(random.below(other.size() + 1));
         break;
       }
-      default: bytes.replace(at, length, std::to_string((random.unit() - 0.5) * (random.below(3) == 0 ? 1e300 : 20))); break;
+      default:
+        bytes.replace(at, length, std::to_string((random.unit() - 0.5) * (random.below(3) == 0 ? 1e300 : 20)));
+        break;
     }
   }
   if (bytes.size() > 200000) bytes.resize(200000);
@@ -108,7 +125,8 @@ int main(int argc, char** argv) {
     if (argc < 3 || std::string(argv[1]) != target.name) continue;
     kept_in = "fuzz_" + std::string(target.name) + ".input";
     for (const int number : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL, SIGPROF}) std::signal(number, on_signal);
-    if (!std::filesystem::exists(argv[2])) return fuzz(target, argv[2], argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
+    if (!std::filesystem::exists(argv[2]))
+      return fuzz(target, argv[2], argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
     current = content(argv[2]);
     return run_one(target) ? 0 : 1;
   }

@@ -43,7 +43,8 @@ void check_areas(const Tessellation& t, const TessellationInput& input) {
     for (const int p : cell) polygon.push_back(t.points[size_t(p)]);
     sum += signed_area(polygon);
   }
-  if (!(std::abs(sum - area) <= 1e-6 * area)) throw std::logic_error("areas: " + std::to_string(sum) + " of " + std::to_string(area));
+  if (!(std::abs(sum - area) <= 1e-6 * area))
+    throw std::logic_error("areas: " + std::to_string(sum) + " of " + std::to_string(area));
 }
 
 void run_geometry(const std::string& input) {
@@ -57,7 +58,10 @@ void run_geometry(const std::string& input) {
   const auto size_at = [&](const Vec2&) { return size; };
   for (int way = 0; way < 3; ++way) {
     try {
-      check_areas(way == 0 ? cut(region) : way == 1 ? mesh(region, size_at, 5000) : voronoi(region, size_at, 1, 5000), region);
+      check_areas(way == 0   ? cut(region)
+                  : way == 1 ? mesh(region, size_at, 5000)
+                             : voronoi(region, size_at, 1, 5000),
+                  region);
     } catch (const std::invalid_argument&) {
     } catch (const std::length_error&) {
     }
@@ -93,9 +97,11 @@ void run_scene(const std::string& input) {
 const std::vector<Target>& targets() {
   static const std::vector<Target> list = [] {
     std::vector<Target> all = readers();
-    all.insert(all.end(), {
-      {"geometry", run_geometry, {std::string(4, 0), std::string("\x80\x00\x80\x00", 4)}},
-      {"scene", run_scene, {"nan", "1/0", "-1", "{}", "nil", "function() end", "1e300", "\"x\"", "0", "true", "talus.rect(0, 0, 1, 1)"}}});
+    all.insert(all.end(), {{"geometry", run_geometry, {std::string(4, 0), std::string("\x80\x00\x80\x00", 4)}},
+                           {"scene",
+                            run_scene,
+                            {"nan", "1/0", "-1", "{}", "nil", "function() end", "1e300", "\"x\"", "0", "true",
+                             "talus.rect(0, 0, 1, 1)"}}});
     return all;
   }();
   return list;

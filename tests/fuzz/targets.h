@@ -11,8 +11,8 @@ struct Target {
   void (*run)(const std::string& input);  // what it throws, but for what it documents, is a find
   std::vector<std::string> words;         // put into inputs now and then
 };
-std::vector<Target> readers();           // of files: few parts of the engine
-const std::vector<Target>& targets();    // all
+std::vector<Target> readers();         // of files: few parts of the engine
+const std::vector<Target>& targets();  // all
 
 // Random numbers by a seed, the same everywhere (SplitMix64).
 class Random {

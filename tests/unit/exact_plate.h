@@ -1,6 +1,6 @@
 #pragma once
-// A plate in equilibrium under the tractions of a known stress on its whole outline and the body force that goes with it.
-// What that leaves free, its motion as a whole, is held by its first block.
+// A plate in equilibrium under the tractions of a known stress on its whole outline and the body force that goes with
+// it. What that leaves free, its motion as a whole, is held by its first block.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -11,7 +11,8 @@
 
 namespace talus::test {
 
-inline constexpr double gauss5[] = {0.04691007703066802, 0.23076534494715845, 0.5, 0.76923465505284155, 0.95308992296933198};
+inline constexpr double gauss5[] = {0.04691007703066802, 0.23076534494715845, 0.5, 0.76923465505284155,
+                                    0.95308992296933198};
 inline constexpr double weight5[] = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324,
                                      0.11846344252809454};
 inline constexpr double small_motion = 1e-8;  // what the geometry makes of finite displacements is left out
@@ -23,7 +24,8 @@ void each_point(const Model& model, int block, F f) {
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j) {
       const double a = gauss5[i], b = gauss5[j] * (1 - a);
-      f(Vec2(v[0] + a * (v[1] - v[0]) + b * (v[2] - v[0])), weight5[i] * weight5[j] * (1 - a) * 2 * model.shapes[size_t(block)].area);
+      f(Vec2(v[0] + a * (v[1] - v[0]) + b * (v[2] - v[0])),
+        weight5[i] * weight5[j] * (1 - a) * 2 * model.shapes[size_t(block)].area);
     }
 }
 
@@ -40,7 +42,8 @@ void add_exact_loads(const Model& model, const Exact& exact, const std::vector<c
     const int begin = model.shapes[size_t(b)].vertex_begin;
     if (bonded[size_t(begin + v)]) continue;
     const Vec2 p = model.reference_vertex[size_t(begin + v)],
-               q = model.reference_vertex[size_t(begin + model.next_vertex(b, v))], n = -perp(q - p);  // with its length
+               // with its length
+        q = model.reference_vertex[size_t(begin + model.next_vertex(b, v))], n = -perp(q - p);
     for (int k = 0; k < 5; ++k) {
       const Vec2 x = (1 - gauss5[k]) * p + gauss5[k] * q;
       const Vec3 s = exact.stress(model.reference_place(b, x));

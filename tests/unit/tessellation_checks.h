@@ -68,9 +68,7 @@ inline void expect_tessellation(const Tessellation& t, double area) {
     EXPECT_TRUE(has_edge(t.cells[i.a], i.p, i.q) && has_edge(t.cells[i.b], i.q, i.p));
     inner += edge_length(t, i.p, i.q);
   }
-  const auto before = [](const auto& i, const auto& j) {
-    return std::tie(i.a, i.b, i.p) < std::tie(j.a, j.b, j.p);
-  };
+  const auto before = [](const auto& i, const auto& j) { return std::tie(i.a, i.b, i.p) < std::tie(j.a, j.b, j.p); };
   EXPECT_TRUE(std::is_sorted(t.interfaces.begin(), t.interfaces.end(), before));
   const auto boundary = boundary_edges(t);
   for (const BoundaryEdge& e : boundary) outer += edge_length(t, e.p, e.q);

@@ -228,7 +228,8 @@ TEST(LinearSolver, SolvesCoarselyAfterTheFirst) {
     }
 }
 
-// By the part of the factor that leads from a few unknowns to the root: the same to the bit, whatever was solved before.
+// By the part of the factor that leads from a few unknowns to the root: the same to the bit, whatever was solved
+// before.
 TEST(LinearSolver, SolvesCoarselyForAFewUnknowns) {
   for (int blocks : {1, 7, 60, 300}) {
     RandomSystem s(blocks, 3);
@@ -260,7 +261,8 @@ TEST(LinearSolver, SolvesCoarselyForAFewUnknowns) {
 // Where single precision has no digit left, and where its range ends, all solves are exact.
 TEST(LinearSolver, SolvesNotCoarselyWhatThatSpoils) {
   RandomSystem random(2, 1);
-  const Dense u = random.matrix_of(12, 12).householderQr().householderQ();  // with stiffnesses of 1 to spread along its columns
+  // with stiffnesses of 1 to spread along its columns
+  const Dense u = random.matrix_of(12, 12).householderQr().householderQ();
   const Vector solution = random.matrix_of(12, 1);
   for (const auto& [spread, unit] : {std::pair{1e12, 1.0}, {1.0, 1e40}, {1.0, 1e-40}}) {
     const Vector stiffness = Vector::LinSpaced(12, 0, std::log(spread)).array().exp() * unit;
@@ -331,7 +333,8 @@ TEST(LinearSolver, ParallelRegionsRunOnceInTheThreadThatComesToThem) {
   const auto run = reinterpret_cast<void (*)(Region, void*, unsigned, unsigned)>(dlsym(RTLD_DEFAULT, "GOMP_parallel"));
   ASSERT_NE(run, nullptr);
   std::vector<std::thread::id> threads;
-  run([](void* list) { static_cast<std::vector<std::thread::id>*>(list)->push_back(std::this_thread::get_id()); }, &threads, 4, 0);
+  run([](void* list) { static_cast<std::vector<std::thread::id>*>(list)->push_back(std::this_thread::get_id()); },
+      &threads, 4, 0);
   EXPECT_EQ(threads, std::vector{std::this_thread::get_id()});
 }
 

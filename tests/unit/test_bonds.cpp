@@ -26,8 +26,7 @@ Vector linear_field(const Model& model, const Mat2& gradient) {
   for (const BlockShape& s : model.shapes) {
     d.segment<2>(s.dof_begin) = gradient * s.reference_centroid;
     d[s.dof_begin + 2] = s.length * (gradient(1, 0) - gradient(0, 1)) / 2;
-    d.segment<3>(s.dof_begin + 3) =
-        s.length * Vec3(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
+    d.segment<3>(s.dof_begin + 3) = s.length * Vec3(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
   }
   return d;
 }
@@ -43,8 +42,7 @@ void load_boundary(Model& model, const Vec3& stress) {
     for (int v = 0; v < model.vertex_count(b); ++v) {
       const int begin = model.shapes[b].vertex_begin;
       if (bonded[begin + v]) continue;
-      const Vec2 p = model.reference_vertex[begin + v],
-                 q = model.reference_vertex[begin + model.next_vertex(b, v)];
+      const Vec2 p = model.reference_vertex[begin + v], q = model.reference_vertex[begin + model.next_vertex(b, v)];
       const Vec2 n = -perp(q - p).normalized();
       model.edge_forces.push_back({int(model.scene.edge_loads.size()), b, {p, q}});
       model.scene.edge_loads.push_back(
@@ -95,8 +93,7 @@ TEST(Bonds, PatchTestThroughTheStep) {
   simulation.step();
   const Vec3 stress(2e-6, -1e-6, 0);
   const Model& model = simulation.model;
-  for (int b = 0; b < int(model.shapes.size()); ++b)
-    EXPECT_LT((model.stress(b) - stress).norm(), 2e-8 * stress.norm());
+  for (int b = 0; b < int(model.shapes.size()); ++b) EXPECT_LT((model.stress(b) - stress).norm(), 2e-8 * stress.norm());
   for (const Joint& joint : model.joints)
     for (const JointPoint& point : joint.points) {
       const Vec2 n = joint.normal, t(stress[0] * n.x(), stress[1] * n.y());

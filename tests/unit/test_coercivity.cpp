@@ -43,8 +43,8 @@ double coercivity(Model model, double penalty) {
   // scaled to a unit diagonal, or round-off of the stiffest bond would drown a weak block
   const Vector scale = norm.diagonal().cwiseSqrt().cwiseInverse();
   const auto scaled = [&scale](const Dense& m) { return Dense(scale.asDiagonal() * m * scale.asDiagonal()); };
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Dense> pencil(scaled(at_one + (penalty - 1) * jumps),
-                                                               scaled(norm), Eigen::EigenvaluesOnly);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Dense> pencil(scaled(at_one + (penalty - 1) * jumps), scaled(norm),
+                                                               Eigen::EigenvaluesOnly);
   return pencil.eigenvalues()[0];
 }
 

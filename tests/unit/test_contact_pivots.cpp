@@ -11,7 +11,8 @@ namespace talus {
 namespace {
 
 // A chain of blocks with a few couplings across it, so that its elimination tree has branches.
-BlockMatrix coupled_blocks(const std::vector<int>& sizes, const std::vector<std::pair<int, int>>& pairs, std::mt19937& random) {
+BlockMatrix coupled_blocks(const std::vector<int>& sizes, const std::vector<std::pair<int, int>>& pairs,
+                           std::mt19937& random) {
   std::uniform_real_distribution<double> value(-1, 1);
   BlockMatrix matrix;
   matrix.set_pattern(sizes, pairs);
@@ -20,9 +21,9 @@ BlockMatrix coupled_blocks(const std::vector<int>& sizes, const std::vector<std:
     for (Eigen::Index k = 0; k < m.size(); ++k) m(k) = value(random);
     return m;
   };
-  for (int b = 0; b < int(sizes.size()); ++b)
-    matrix.begin(b, 30 * Eigen::MatrixXd::Identity(sizes[b], sizes[b]));
-  for (const auto& [a, b] : pairs) matrix.add(matrix.slot(a, b), false, part(sizes[std::min(a, b)], sizes[std::max(a, b)]));
+  for (int b = 0; b < int(sizes.size()); ++b) matrix.begin(b, 30 * Eigen::MatrixXd::Identity(sizes[b], sizes[b]));
+  for (const auto& [a, b] : pairs)
+    matrix.add(matrix.slot(a, b), false, part(sizes[std::min(a, b)], sizes[std::max(a, b)]));
   return matrix;
 }
 
@@ -30,7 +31,8 @@ TEST(Compliance, IsWhatSolvesGive) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> value(-1, 1);
   const std::vector<int> sizes = {6, 6, 0, 3, 6, 6, 6, 12, 6, 6};
-  const std::vector<std::pair<int, int>> pairs = {{0, 1}, {1, 3}, {3, 4}, {0, 5}, {5, 6}, {6, 7}, {8, 4}, {9, 8}, {9, 7}, {0, 8}};
+  const std::vector<std::pair<int, int>> pairs = {{0, 1}, {1, 3}, {3, 4}, {0, 5}, {5, 6},
+                                                  {6, 7}, {8, 4}, {9, 8}, {9, 7}, {0, 8}};
   const BlockMatrix matrix = coupled_blocks(sizes, pairs, random);
   LinearSolver solver;
   solver.analyse(matrix);
@@ -89,8 +91,8 @@ TEST(ContactPivots, MeetTheLawWhateverTheyBeginWith) {
     const Eigen::MatrixXd w = 1e-9 * a.transpose() * a;
     std::vector<PivotContact> contacts;
     for (Eigen::Index k = 0; k < count; ++k)
-      contacts.push_back({1e-3 * value(random) - 5e-4, 1e-3 * value(random), 1e11, 4e10, 2 * part(random), k % 3 == 0 ? 1e4 : 0.0,
-                          part(random) < 0.5, part(random) < 0.5, 0, value(random)});
+      contacts.push_back({1e-3 * value(random) - 5e-4, 1e-3 * value(random), 1e11, 4e10, 2 * part(random),
+                          k % 3 == 0 ? 1e4 : 0.0, part(random) < 0.5, part(random) < 0.5, 0, value(random)});
     ASSERT_TRUE(pivot_contacts(contacts, w)) << problem;
     EXPECT_LT(off_the_law(contacts, w), 1e-7) << problem;
   }

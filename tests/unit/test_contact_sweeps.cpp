@@ -29,8 +29,8 @@ struct Swept {
   std::vector<double> normal, shear;
   Vector d;
 
-  Swept(const std::vector<Polyline>& blocks, double friction, const Vec2& gravity, ContactSweeps::Carry carry = ContactSweeps::Carry::momentum,
-        const std::vector<Region>& meshed = {}) {
+  Swept(const std::vector<Polyline>& blocks, double friction, const Vec2& gravity,
+        ContactSweeps::Carry carry = ContactSweeps::Carry::momentum, const std::vector<Region>& meshed = {}) {
     std::vector<Region> regions = {region("floor", rectangle(-5, -1, 10, 1))};
     for (const Polyline& outline : blocks) regions.push_back(region("b" + std::to_string(regions.size()), outline));
     regions.insert(regions.end(), meshed.begin(), meshed.end());
@@ -87,8 +87,8 @@ void expect_law(const Swept& s, double tolerance) {
   }
 }
 
-const std::vector<Polyline> heap = {rectangle(0, 0, 1, 1), rectangle(1, 0, 1, 1), rectangle(0.4, 1, 1, 1),
-                                    {{1.4, 1}, {2.3, 1}, {1.9, 1.8}}};
+const std::vector<Polyline> heap = {
+    rectangle(0, 0, 1, 1), rectangle(1, 0, 1, 1), rectangle(0.4, 1, 1, 1), {{1.4, 1}, {2.3, 1}, {1.9, 1.8}}};
 
 TEST(ContactSweeps, MeetTheLawAndTheMomentum) {
   for (const double friction : {0.0, 0.2, 0.8}) {
@@ -120,8 +120,10 @@ TEST(ContactSweeps, StickAndSlip) {
       shear += way * s.shear[k];
     }
     const double tangent = s.terms.rows()[0].friction;
-    if (tangent < 1) EXPECT_NEAR(std::abs(shear), tangent * normal, 1e-9 * normal);
-    else EXPECT_LT(std::abs(shear), tangent * normal);
+    if (tangent < 1)
+      EXPECT_NEAR(std::abs(shear), tangent * normal, 1e-9 * normal);
+    else
+      EXPECT_LT(std::abs(shear), tangent * normal);
   }
 }
 
@@ -130,7 +132,8 @@ TEST(ContactSweeps, AFreeBlockNeedsNone) {
   EXPECT_LT(s.out_of_balance(), 1e-13);
 }
 
-// The same forces from none, one factor for all that states are roughly known with and one for each set of springs after.
+// The same forces from none, one factor for all that states are roughly known with and one for each set of springs
+// after.
 TEST(ContactSplitting, EndsInTheForcesOfTheSweeps) {
   for (const double friction : {0.0, 0.2, 0.8}) {
     SCOPED_TRACE(friction);
@@ -177,8 +180,8 @@ TEST(Contacts, BlocksThatMeetInAPointPressOnFacesOnly) {
   const int count = 7;
   for (int k = 0; k < count; ++k) {
     const double from = 2 * M_PI * k / count, to = 2 * M_PI * (k + 1) / count;
-    regions.push_back(region("t" + std::to_string(k),
-                             {centre, centre + Vec2(std::cos(from), std::sin(from)), centre + Vec2(std::cos(to), std::sin(to))}));
+    regions.push_back(region("t" + std::to_string(k), {centre, centre + Vec2(std::cos(from), std::sin(from)),
+                                                       centre + Vec2(std::cos(to), std::sin(to))}));
   }
   Model model = build(test::scene_of(regions));
   ContactSearch search;

@@ -1,10 +1,9 @@
-#include "equations/contact_terms.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "contact/detection.h"
+#include "equations/contact_terms.h"
 #include "small_scene.h"
 
 namespace talus {

@@ -13,7 +13,9 @@ using test::each_point;
 constexpr double small = test::small_motion;
 
 // The manufactured displacement u = (sin(2x + y), cos(x - 2y)) and what belongs to it.
-Vec2 exact(const Vec2& p) { return {std::sin(2 * p.x() + p.y()), std::cos(p.x() - 2 * p.y())}; }
+Vec2 exact(const Vec2& p) {
+  return {std::sin(2 * p.x() + p.y()), std::cos(p.x() - 2 * p.y())};
+}
 Vec3 exact_stress(const Mat3& elastic, const Vec2& p) {
   const double c = std::cos(2 * p.x() + p.y()), s = std::sin(p.x() - 2 * p.y());
   return elastic * Vec3(2 * c, 2 * s, c - s);
@@ -29,7 +31,8 @@ struct Errors {
   int blocks;
 };
 
-// Tractions all round and body force from the exact stress; what is left free, three rigid motions, is taken out of the error.
+// Tractions all round and body force from the exact stress; what is left free, three rigid motions, is taken out of the
+// error.
 Errors solve(BlockOrder order, double size) {
   Scene scene = test::scene_of({test::meshed("plate", {{0, 0}, {1.1, 0.1}, {1, 1}, {-0.1, 0.9}}, size)});
   scene.regions[0].order = order;
@@ -83,9 +86,10 @@ TEST(Convergence, SmoothSolutionsOnUnstructuredMeshes) {
     EXPECT_GE(stress, least.stress) << "order " << order;
     EXPECT_GE(recovered, least.recovered) << "order " << order;
     EXPECT_LT(fine.recovered, 0.2 * fine.stress) << "order " << order;
-    std::printf("order %d, %d to %d blocks: rates of displacement %.2f, stress %.2f, recovered stress %.2f; errors %.1e, %.1e, %.1e\n",
-                order, coarse.blocks, fine.blocks, displacement, stress, recovered, fine.displacement, fine.stress,
-                fine.recovered);
+    std::printf(
+        "order %d, %d to %d blocks: rates of displacement %.2f, stress %.2f, recovered stress %.2f; errors %.1e, %.1e, %.1e\n",
+        order, coarse.blocks, fine.blocks, displacement, stress, recovered, fine.displacement, fine.stress,
+        fine.recovered);
   }
 }
 

@@ -148,8 +148,7 @@ TEST(Cut, RandomLinesMakeTheBlocksThatEulerSays) {
       const Chords chords = random_chords(40, seed, centre);
       Polyline outline;
       for (int k = 0; k < 400; ++k)
-        outline.push_back(centre +
-                          Vec2(std::cos(k * std::numbers::pi / 200), std::sin(k * std::numbers::pi / 200)));
+        outline.push_back(centre + Vec2(std::cos(k * std::numbers::pi / 200), std::sin(k * std::numbers::pi / 200)));
       const Tessellation t = cut({outline, {}, chords.lines});
       EXPECT_EQ(t.cells.size(), std::size_t(1 + 40 + chords.crossings)) << seed;
       expect_tessellation(t, signed_area(outline));

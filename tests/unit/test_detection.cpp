@@ -106,7 +106,8 @@ TEST(Contacts, NoneBeyondWhatCanClose) {
   EXPECT_EQ(pairs_of(model), (Pairs{{1, 0}}));
 }
 
-// A corner meets the edge that is there where it comes to the edge's line, not the one that it is above as the step begins.
+// A corner meets the edge that is there where it comes to the edge's line, not the one that it is above as the step
+// begins.
 TEST(Contacts, WhereTheStepLeads) {
   const auto flown = [](double from, double speed) {
     Model model = searched({slab, moved(diamond, {from, 1.2})});
@@ -126,7 +127,8 @@ TEST(Contacts, NotThroughTheFarSide) {
   for (const Contact& c : model.contacts) EXPECT_NEAR(c.gap, 0.02, 1e-12);
 }
 
-// m, by which a convex polygon is in front of the best of the faces of another; negative: how deep the other is below all of them.
+// m, by which a convex polygon is in front of the best of the faces of another; negative: how deep the other is below
+// all of them.
 double before_a_face(const Polyline& polygon, const Polyline& other) {
   double most = -std::numeric_limits<double>::infinity();
   for (size_t k = 0; k < other.size(); ++k) {
@@ -241,7 +243,8 @@ TEST(Contacts, BondedBlocksRoundACornerHaveNone) {
 // A node in the flat side of a bonded plate is a corner of its blocks but none of the plate: a point below presses on
 // edges, and no block rests with that "corner" on the point's slanting faces.
 TEST(Contacts, ANodeOnAFlatSideIsNoCorner) {
-  Model model = build(scene_of({test::patterned("plate", rectangle(0, 0, 4, 1), MeshKind::cross, 8, 2), region("point", {{1, 0}, {0.7, -0.5}, {1.3, -0.5}})}));
+  Model model = build(scene_of({test::patterned("plate", rectangle(0, 0, 4, 1), MeshKind::cross, 8, 2),
+                                region("point", {{1, 0}, {0.7, -0.5}, {1.3, -0.5}})}));
   ContactSearch search;
   search.update(model, 0);
   ASSERT_EQ(model.contacts.size(), 2u);

@@ -26,8 +26,7 @@ std::string dxf_problem(const std::string& text) {
 
 // Group codes and values, each on a line of its own: "0 LINE 8 a" is LINE on layer a.
 std::string dxf(const std::string& entities, const std::string& header = "") {
-  std::string text =
-      "0 SECTION 2 HEADER " + header + "0 ENDSEC 0 SECTION 2 ENTITIES " + entities + "0 ENDSEC 0 EOF ";
+  std::string text = "0 SECTION 2 HEADER " + header + "0 ENDSEC 0 SECTION 2 ENTITIES " + entities + "0 ENDSEC 0 EOF ";
   std::replace(text.begin(), text.end(), ' ', '\n');
   return text;
 }
@@ -51,17 +50,15 @@ TEST(Csv, SegmentsARow) {
 }
 
 TEST(Csv, SaysWhatIsWrong) {
-  EXPECT_EQ(csv_problem(""),
-            "f.csv: expected a header with the columns trace,x,y or x1,y1,x2,y2, got an empty file");
+  EXPECT_EQ(csv_problem(""), "f.csv: expected a header with the columns trace,x,y or x1,y1,x2,y2, got an empty file");
   EXPECT_EQ(csv_problem("0,1,2\n"),
             "f.csv:1: expected a header with the columns trace,x,y or x1,y1,x2,y2, got \"0,1,2\"");
   EXPECT_EQ(csv_problem("trace,x,y\n"), "f.csv:1: expected rows with points below the header, got none");
   EXPECT_EQ(csv_problem("trace,x,y\na,0,zero\n"),
             "f.csv:2: expected a finite number for y, with a decimal point, got \"zero\"");
   for (const char* number : {"nan", "inf", "1e999", "0x10", "", "1 2"})
-    EXPECT_NE(
-        csv_problem("trace,x,y\na,0," + std::string(number) + "\n").find("f.csv:2: expected a finite number"),
-        std::string::npos)
+    EXPECT_NE(csv_problem("trace,x,y\na,0," + std::string(number) + "\n").find("f.csv:2: expected a finite number"),
+              std::string::npos)
         << number;
   EXPECT_EQ(csv_problem("trace;x;y\na;0,5;1\n"),
             "f.csv:2: expected a finite number for x, with a decimal point, got \"0,5\"");
@@ -145,8 +142,7 @@ TEST(Dxf, SaysWhatIsWrong) {
   EXPECT_EQ(dxf_problem("AC1027"), "f.dxf: expected an ASCII DXF, got a DWG: save it as DXF");
   EXPECT_EQ(dxf_problem("hello\nworld\n"), "f.dxf:1: expected a group code (an integer), got \"hello\"");
   const std::string line = "0 LINE 8 a 10 1 20 2 11 3 21 4 ";
-  EXPECT_EQ(dxf_problem(dxf("0 LINE 8 a 10 1 20 2 11 3 ")),
-            "f.dxf:12: expected LINE with group code 21, got none");
+  EXPECT_EQ(dxf_problem(dxf("0 LINE 8 a 10 1 20 2 11 3 ")), "f.dxf:12: expected LINE with group code 21, got none");
   EXPECT_EQ(dxf_problem(dxf("0 LINE 8 a 10 1 20 2 11 nan 21 4 ")),
             "f.dxf:20: expected a finite number after group code 11, got \"nan\"");
   EXPECT_EQ(dxf_problem(dxf("0 CIRCLE 10 1 20 2 40 -3 ")),

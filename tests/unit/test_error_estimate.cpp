@@ -9,18 +9,19 @@
 namespace talus {
 namespace {
 
-// Tension 1 along x round a hole of radius 1 at the origin (Kirsch 1898). The polygon that stands for the hole bears the
-// tractions that this stress has on it.
+// Tension 1 along x round a hole of radius 1 at the origin (Kirsch 1898). The polygon that stands for the hole bears
+// the tractions that this stress has on it.
 Vec3 kirsch(const Vec2& p) {
-  const double r2 = p.squaredNorm(), q = 1 / r2, t = std::atan2(p.y(), p.x()), c2 = std::cos(2 * t), s2 = std::sin(2 * t),
-               c4 = std::cos(4 * t), s4 = std::sin(4 * t);
+  const double r2 = p.squaredNorm(), q = 1 / r2, t = std::atan2(p.y(), p.x()), c2 = std::cos(2 * t),
+               s2 = std::sin(2 * t), c4 = std::cos(4 * t), s4 = std::sin(4 * t);
   return {1 - q * (1.5 * c2 + c4) + 1.5 * q * q * c4, -q * (0.5 * c2 - c4) - 1.5 * q * q * c4,
           -q * (0.5 * s2 + s4) + 1.5 * q * q * s4};
 }
 
 // A beam of height 1 bent by a shear force at its end (Timoshenko & Goodier, § 21): σx bilinear, τ a parabola.
-Vec3 beam(const Vec2& p) { return {12 * (4 - p.x()) * (p.y() - 0.5), 0, -6 * p.y() * (1 - p.y())}; }
-
+Vec3 beam(const Vec2& p) {
+  return {12 * (4 - p.x()) * (p.y() - 0.5), 0, -6 * p.y() * (1 - p.y())};
+}
 
 struct Measured {
   double effectivity;  // estimated over true error
@@ -55,8 +56,8 @@ Region plate_with_hole() {
   return plate;
 }
 
-// Where the mesh resolves the solution the estimate is within 15 % of the error, and it tends to it; where the mesh is coarse
-// and graded it is too large rather than too small.
+// Where the mesh resolves the solution the estimate is within 15 % of the error, and it tends to it; where the mesh is
+// coarse and graded it is too large rather than too small.
 TEST(ErrorEstimate, TendsToTheErrorOfClosedForms) {
   struct Case {
     const char* name;
@@ -64,20 +65,23 @@ TEST(ErrorEstimate, TendsToTheErrorOfClosedForms) {
     Region region;
     double coarse, fine, most;  // sizes; most that the coarse estimate is of the error
   };
-  for (const Case& c : {Case{"plate with a hole", {kirsch}, plate_with_hole(), 0.5, 0.125, 1.4},
-                        Case{"cantilever", {beam}, test::region("beam", test::rectangle(0, 0, 4, 1)), 0.25, 0.0625, 1.1}})
+  for (const Case& c :
+       {Case{"plate with a hole", {kirsch}, plate_with_hole(), 0.5, 0.125, 1.4},
+        Case{"cantilever", {beam}, test::region("beam", test::rectangle(0, 0, 4, 1)), 0.25, 0.0625, 1.1}})
     for (const BlockOrder order : {BlockOrder::first, BlockOrder::second}) {
-      const Measured coarse = measure(c.exact, c.region, order, c.coarse), fine = measure(c.exact, c.region, order, c.fine);
-      std::printf("%s, order %d: %d blocks, error %.3f %%, estimate %.2f of it; %d blocks, %.3f %%, %.2f\n", c.name, int(order),
-                  coarse.blocks, 100 * coarse.relative, coarse.effectivity, fine.blocks, 100 * fine.relative, fine.effectivity);
+      const Measured coarse = measure(c.exact, c.region, order, c.coarse),
+                     fine = measure(c.exact, c.region, order, c.fine);
+      std::printf("%s, order %d: %d blocks, error %.3f %%, estimate %.2f of it; %d blocks, %.3f %%, %.2f\n", c.name,
+                  int(order), coarse.blocks, 100 * coarse.relative, coarse.effectivity, fine.blocks,
+                  100 * fine.relative, fine.effectivity);
       EXPECT_GT(coarse.effectivity, 0.85) << c.name << ", order " << int(order);
       EXPECT_LT(coarse.effectivity, c.most) << c.name << ", order " << int(order);
       EXPECT_NEAR(fine.effectivity, 1, 0.1) << c.name << ", order " << int(order);
     }
 }
 
-// One stress everywhere is every block's own: no error, whatever it is, and no jump of traction; but for the digits that places
-// leave to displacements of 1e-8 of a strain of 1e-3.
+// One stress everywhere is every block's own: no error, whatever it is, and no jump of traction; but for the digits
+// that places leave to displacements of 1e-8 of a strain of 1e-3.
 TEST(ErrorEstimate, OneStressHasNone) {
   for (const BlockOrder order : {BlockOrder::first, BlockOrder::second}) {
     Scene scene = test::irregular();

@@ -125,7 +125,8 @@ TEST(Choice, TheMostCriticalWithThoseInItsBand) {
   EXPECT_EQ(chosen(model), (std::vector<int>{0, 1, 2}));
 }
 
-// Equal bonds fail together, also where they are equal to round-off only and one after the other at the edge of the band.
+// Equal bonds fail together, also where they are equal to round-off only and one after the other at the edge of the
+// band.
 TEST(Choice, TiesFailTogether) {
   Model model = row(3, FailureOrder::one);
   for (int j = 0; j < 5; ++j) pull(model, j, 2 * (1 - 5e-7 * j));
@@ -220,7 +221,8 @@ TEST(Reduction, TheAreaUnderASofteningCurveIsItsFractureEnergy) {
   EXPECT_EQ(softening(to_residual)(rock, {1, 1, 0}).cohesion, 1e6);
 }
 
-// Linear criterion of mixed modes: works in proportion to their fracture energies where the tractions go along the jump.
+// Linear criterion of mixed modes: works in proportion to their fracture energies where the tractions go along the
+// jump.
 TEST(Reduction, InMixedModesTheWorksAddUp) {
   const ReductionLaw law = softening({false, 50, 80, {0.6, 0, 0}});
   const double slip = 2 * 80 / rock.cohesion, opening = 2 * 50 / rock.tension;
@@ -230,8 +232,8 @@ TEST(Reduction, InMixedModesTheWorksAddUp) {
   EXPECT_EQ(law(rock, {0.51 * slip, 0.5 * opening, 0}).tension, 0);
 }
 
-// A vertical joint of a tracked crack, on a path turned by `turn`, that has failed in tension `with` a traction and moves along `way`,
-// normal and slip: what its bridge takes.
+// A vertical joint of a tracked crack, on a path turned by `turn`, that has failed in tension `with` a traction and
+// moves along `way`, normal and slip: what its bridge takes.
 double work_of_bridge(double turn, const BondTraction& with, const Vec2& way) {
   Model model = test::two_squares();
   model.scene.fracture.path = CrackPath::tracked;
@@ -285,7 +287,8 @@ TEST(Bridge, AcrossAPathTakesItsFractureEnergyForThePathsLength) {
 TEST(Bridge, OfABondThatFailedInTensionAndShearTakesItsFractureEnergy) {
   for (const double shear : {0.0, 0.5, 2.0})
     for (const double slip : {0.0, 0.3, 1.0})
-      EXPECT_NEAR(work_of_bridge(0, {rock.tension, shear * rock.tension}, Vec2(1, slip).normalized()), 50, 0.1) << shear << ' ' << slip;
+      EXPECT_NEAR(work_of_bridge(0, {rock.tension, shear * rock.tension}, Vec2(1, slip).normalized()), 50, 0.1)
+          << shear << ' ' << slip;
 }
 
 TEST(Reduction, SlipWeakeningIsLinearInSlip) {
@@ -312,7 +315,8 @@ TEST(Reduction, LargestSofteningBlock) {
   EXPECT_DOUBLE_EQ(10e9 * softening_compliance({true, 50, 50, {0, 0, 0.25e6}}, 0.5e6), 8);
 }
 
-// Mean 1 and coefficient of variation of Weibull's distribution: sqrt(Γ(1+2/m)/Γ(1+1/m)² - 1); bounds: four standard errors.
+// Mean 1 and coefficient of variation of Weibull's distribution: sqrt(Γ(1+2/m)/Γ(1+1/m)² - 1); bounds: four standard
+// errors.
 TEST(Scatter, MeanAndSpreadAreWeibulls) {
   constexpr double modulus = 5;
   Scene scene = scene_of({patterned("plate", rectangle(0, 0, 10, 10), MeshKind::cross, 60, 60)});

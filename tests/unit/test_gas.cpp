@@ -20,7 +20,8 @@ TEST(GasLaw, WorkIsTheIntegralOfThePressure) {
   }
 }
 
-// The paper's chamber of 0.031 m3 a metre to 129.65 times its volume; fully coupled ANFO in a hole of 0.1 m (both MJ a metre).
+// The paper's chamber of 0.031 m3 a metre to 129.65 times its volume; fully coupled ANFO in a hole of 0.1 m (both MJ a
+// metre).
 TEST(GasLaw, WorkOfThePapersChamber) {
   EXPECT_NEAR(0.0314159 * work(polytropic(1e9, 1.4), 1, 129.65) / 1e6, 67.3, 0.1);
   EXPECT_NEAR(0.0314159 * work(jwl(anfo, 1), 1, 129.65) / 1e6, 67.6, 0.1);
@@ -50,19 +51,23 @@ TEST(Orifice, FlowOfAnIdealGas) {
   EXPECT_EQ(mass_flux(gamma, pressure, density, 2 * pressure), 0);
 }
 
-// A fixed volume, choked: x^(-(γ-1)/2) = 1 + (γ-1)/2 C A a0/V (2/(γ+1))^((γ+1)/(2(γ-1))) t, P = P0 x^γ, a0 = √(γ P0/ρ0).
+// A fixed volume, choked: x^(-(γ-1)/2) = 1 + (γ-1)/2 C A a0/V (2/(γ+1))^((γ+1)/(2(γ-1))) t, P = P0 x^γ, a0 = √(γ
+// P0/ρ0).
 TEST(Orifice, BlowDownOfAFixedVolume) {
   const double gamma = 1.3, first = 20e6, density = 150, volume = 0.04, opening = 0.01, mass = density * volume;
-  const Orifice orifice = {.coefficient = 0.84, .gamma = gamma, .density = density, .atmosphere = 101325, .opening = {}};
+  const Orifice orifice = {
+      .coefficient = 0.84, .gamma = gamma, .density = density, .atmosphere = 101325, .opening = {}};
   const auto pressure = [&](double x) { return first * std::pow(x, gamma); };
-  const double rate = 0.84 * opening / volume * std::sqrt(gamma * first / density) * std::pow(2 / (gamma + 1), (gamma + 1) / (2 * (gamma - 1)));
+  const double rate = 0.84 * opening / volume * std::sqrt(gamma * first / density) *
+                      std::pow(2 / (gamma + 1), (gamma + 1) / (2 * (gamma - 1)));
   for (const double t : {1e-4, 3e-3, 0.02, 0.05}) {
     const double expected = std::pow(1 + (gamma - 1) / 2 * rate * t, -2 / (gamma - 1));
     ASSERT_GT(pressure(expected), 2 * 101325) << "not choked any more";
     EXPECT_NEAR(blow_down(orifice, opening, mass, volume, pressure, t), expected, 1e-7 * expected) << t;
   }
   const double half = blow_down(orifice, opening, mass, volume, pressure, 0.02);
-  const double rest = blow_down(orifice, opening, half * mass, volume, [&](double x) { return pressure(half * x); }, 0.02);
+  const double rest = blow_down(
+      orifice, opening, half * mass, volume, [&](double x) { return pressure(half * x); }, 0.02);
   EXPECT_NEAR(half * rest, blow_down(orifice, opening, mass, volume, pressure, 0.04), 1e-7 * half * rest);
   EXPECT_EQ(blow_down(orifice, opening, mass, volume, pressure, 5), 0);
   EXPECT_EQ(blow_down(orifice, 0, mass, volume, pressure, 5), 1);

@@ -137,15 +137,20 @@ TEST(Gmsh, WhatIsWrongIsSaidWithItsLine) {
             "a.msh:2: expected an ASCII mesh, got a binary one: save it without -bin, with Mesh.Binary = 0");
   EXPECT_EQ(refusal(replaced(version_4, "4.1 0 8", "4.0 0 8")),
             "a.msh:2: expected version 2.2 or 4.1, got version 4.0: save it with gmsh -format msh22 or -format msh41");
-  EXPECT_EQ(refusal(replaced(version_2, "4 0 1 0", "4 0 nan 0")), "a.msh:15: expected a finite number for a coordinate, got \"nan\"");
-  EXPECT_EQ(refusal(replaced(version_2, "6 2 1 0", "6 2 1 3")).substr(0, 50), "a.msh:17: expected a mesh in a plane z = const, go");
+  EXPECT_EQ(refusal(replaced(version_2, "4 0 1 0", "4 0 nan 0")),
+            "a.msh:15: expected a finite number for a coordinate, got \"nan\"");
+  EXPECT_EQ(refusal(replaced(version_2, "6 2 1 0", "6 2 1 3")).substr(0, 50),
+            "a.msh:17: expected a mesh in a plane z = const, go");
   EXPECT_EQ(refusal(replaced(version_2, "5 2 0 0", "4 2 0 0")), "a.msh:16: expected each node once, got node 4 again");
   EXPECT_EQ(refusal(replaced(version_2, "5 2 2 1 1 1 30 4", "5 2 2 1 1 1 30 9")),
             "a.msh:28: expected a node of the section $Nodes, which comes before $Elements, got node 9");
-  EXPECT_EQ(refusal(replaced(version_2, "5 2 2 1 1 1 30 4", "5 4 2 1 1 1 30 4 2")),
-            "a.msh:28: expected points, lines, triangles and quadrangles, got an element of type 4 (a solid: mesh in two dimensions, gmsh -2)");
-  EXPECT_EQ(refusal(replaced(version_2, "5 2 2 1 1 1 30 4", "5 2 2 1 1 1 30")), "a.msh:28: expected 3 nodes of an element of type 2, got 2");
-  EXPECT_EQ(refusal(replaced(version_2, "5 2 2 1 1 1 30 4", "5 2 2 1 1 1 2 5")), "a.msh:28: expected an element with an area, got one without");
+  EXPECT_EQ(
+      refusal(replaced(version_2, "5 2 2 1 1 1 30 4", "5 4 2 1 1 1 30 4 2")),
+      "a.msh:28: expected points, lines, triangles and quadrangles, got an element of type 4 (a solid: mesh in two dimensions, gmsh -2)");
+  EXPECT_EQ(refusal(replaced(version_2, "5 2 2 1 1 1 30 4", "5 2 2 1 1 1 30")),
+            "a.msh:28: expected 3 nodes of an element of type 2, got 2");
+  EXPECT_EQ(refusal(replaced(version_2, "5 2 2 1 1 1 30 4", "5 2 2 1 1 1 2 5")),
+            "a.msh:28: expected an element with an area, got one without");
   EXPECT_EQ(refusal("0\nSECTION\n"), "a.msh:1: expected a .msh file of Gmsh, which begins with $MeshFormat, got \"0\"");
   EXPECT_EQ(refusal(""), "a.msh: expected a .msh file of Gmsh, which begins with $MeshFormat, got an empty file");
 }

@@ -1,11 +1,10 @@
 // history.csv and the schedule of output times, on real runs of small scenes.
-#include <limits>
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -142,9 +141,8 @@ TEST(RunOutput, WritesAtMultiplesFirstAndLast) {
   Scene scene = falling(dir);
   scene.output.every = 0.4;  // steps end at 0.25, 0.5, 0.75, 1: due at 0.5 (for 0.4) and 1 (for 0.8)
   run(scene);
-  EXPECT_EQ(files(dir), (std::set<std::string>{"blocks.pvd", "blocks_00000.vtp", "blocks_00001.vtp",
-                                               "blocks_00002.vtp", "history.csv", "paraview.py", "report.html",
-                                               "run.json"}));
+  EXPECT_EQ(files(dir), (std::set<std::string>{"blocks.pvd", "blocks_00000.vtp", "blocks_00001.vtp", "blocks_00002.vtp",
+                                               "history.csv", "paraview.py", "report.html", "run.json"}));
   EXPECT_EQ(rows(dir)[2][0], "0.5");
 }
 
@@ -238,8 +236,8 @@ TEST(RunOutput, PicturesWhenAskedFor) {
   scene.output.picture = true;
   scene.output.vtk = false;
   run(scene);
-  EXPECT_EQ(files(dir),
-            (std::set<std::string>{"energy.svg", "picture_00000.svg", "picture_00001.svg", "history.csv", "report.html", "run.json"}));
+  EXPECT_EQ(files(dir), (std::set<std::string>{"energy.svg", "picture_00000.svg", "picture_00001.svg", "history.csv",
+                                               "report.html", "run.json"}));
 }
 
 TEST(RunOutput, SwitchedOffMakesNothing) {
@@ -259,9 +257,9 @@ TEST(RunOutput, RerunRemovesItsOwnFormerFilesOnly) {
                            "blocks_00098.vtp.part", "blocks_old.vtp", "notes.txt", "picture.svg", "blocks_1.vtp"})
     std::ofstream(dir + "/" + name) << "x";
   run(falling(dir));
-  EXPECT_EQ(files(dir),
-            (std::set<std::string>{"blocks.pvd", "blocks_00000.vtp", "blocks_00001.vtp", "history.csv", "paraview.py",
-                                   "report.html", "run.json", "blocks_old.vtp", "notes.txt", "picture.svg", "blocks_1.vtp"}));
+  EXPECT_EQ(files(dir), (std::set<std::string>{"blocks.pvd", "blocks_00000.vtp", "blocks_00001.vtp", "history.csv",
+                                               "paraview.py", "report.html", "run.json", "blocks_old.vtp", "notes.txt",
+                                               "picture.svg", "blocks_1.vtp"}));
 }
 
 TEST(RunOutput, DirectoryThatCannotBeIsAnInputError) {
@@ -276,8 +274,7 @@ TEST(RunOutput, DirectoryThatCannotBeIsAnInputError) {
     FAIL() << "accepted";
   } catch (const InputError& error) {
     const std::string message = error.what();
-    EXPECT_EQ(message.find("scene.lua:12: output.dir: expected a directory that can be written, got "), 0u)
-        << message;
+    EXPECT_EQ(message.find("scene.lua:12: output.dir: expected a directory that can be written, got "), 0u) << message;
   }
 }
 

@@ -49,9 +49,7 @@ struct Found {
     terms.linearise(model, poses, scheme, false, {});
     islands.find(model, terms, as_one);
   }
-  std::vector<int> blocks(int island) const {
-    return {islands.blocks(island).begin(), islands.blocks(island).end()};
-  }
+  std::vector<int> blocks(int island) const { return {islands.blocks(island).begin(), islands.blocks(island).end()}; }
 };
 
 TEST(Islands, StacksOnOneFloorAreApart) {

@@ -54,8 +54,8 @@ double total_length(const std::vector<Polyline>& lines) {
 }
 
 bool on_box(const Vec2& p) {
-  return std::abs(p.x() - low.x()) < 1e-9 || std::abs(p.x() - high.x()) < 1e-9 ||
-         std::abs(p.y() - low.y()) < 1e-9 || std::abs(p.y() - high.y()) < 1e-9;
+  return std::abs(p.x() - low.x()) < 1e-9 || std::abs(p.x() - high.x()) < 1e-9 || std::abs(p.y() - low.y()) < 1e-9 ||
+         std::abs(p.y() - high.y()) < 1e-9;
 }
 
 TEST(JointSet, DipSpacingAndThrough) {
@@ -81,8 +81,7 @@ TEST(JointSet, DipSpacingAndThrough) {
 
 TEST(JointSet, LevelAndUprightJointsAreExactlySo) {
   for (const Polyline& line : joint_lines(joints(0, 0.3), low, high)) EXPECT_EQ(line[0].y(), line[1].y());
-  for (const Polyline& line : joint_lines(joints(90 * degree, 0.3), low, high))
-    EXPECT_EQ(line[0].x(), line[1].x());
+  for (const Polyline& line : joint_lines(joints(90 * degree, 0.3), low, high)) EXPECT_EQ(line[0].x(), line[1].x());
 }
 
 TEST(JointSet, WithoutAPointOneJointPassesTheCentre) {

@@ -1,7 +1,6 @@
-#include "equations/kinematics.h"
-
 #include <gtest/gtest.h>
 
+#include "equations/kinematics.h"
 #include "small_scene.h"
 
 namespace talus {

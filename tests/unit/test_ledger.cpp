@@ -5,9 +5,9 @@
 
 #include "output/energy_plot.h"
 #include "small_scene.h"
+#include "step/bodies.h"
 #include "step/energy_terms.h"
 #include "step/simulation.h"
-#include "step/bodies.h"
 #include "step/step_change.h"
 
 namespace talus {
@@ -45,7 +45,8 @@ TEST(Ledger, FreeFall) {
   EXPECT_NEAR(e.scale, 64, 1e-9);
 }
 
-// A shorter step has y = X + ahead·v of what falls higher by Δahead·v; that is no energy until losses, here ahead·Δt m g² a step, have paid for it.
+// A shorter step has y = X + ahead·v of what falls higher by Δahead·v; that is no energy until losses, here ahead·Δt m
+// g² a step, have paid for it.
 TEST(Ledger, AShorterStepLiftsWhatFallsForNothing) {
   Scene scene = moving(0.3);
   scene.gravity = {0, -8};
@@ -87,8 +88,9 @@ TEST(Ledger, OscillatorLosesByTheFormula) {
     const double k = 1e4, m = 2, dt = 1e-3;
     double y = 0, v = 0.3, lost = 0;
     for (int i = 0; i < 1000; ++i) {
-      const double lead = i == 0 ? (theta - 0.5) * dt * v : 0;  // as it lies the spring is unstrained, from then on it goes by y
-      const double mean = y + theta * (lead + dt * v);          // (1-θ) y0 + θ y1 at v1 = v0
+      // as it lies the spring is unstrained, from then on it goes by y
+      const double lead = i == 0 ? (theta - 0.5) * dt * v : 0;
+      const double mean = y + theta * (lead + dt * v);  // (1-θ) y0 + θ y1 at v1 = v0
       const double dv = -k * dt * mean / (m + k * theta * theta * dt * dt);
       const double dy = lead + dt * (v + theta * dv);
       lost += (theta - 0.5) * (k * dy * dy + m * dv * dv) + m * dv / dt * lead;
@@ -253,8 +255,8 @@ TEST(Bodies, HaveTheMomentOfInertiaOfTheirMass) {
   EXPECT_NEAR(body.spin, 3, 1e-12);
 }
 
-// What lies on something and hardly moves keeps y where the step changes, so that its contacts and its weight hold what they held; what
-// moves faster, the sooner where it slides, and what flies, keeps X.
+// What lies on something and hardly moves keeps y where the step changes, so that its contacts and its weight hold what
+// they held; what moves faster, the sooner where it slides, and what flies, keeps X.
 TEST(Ledger, AStepOfAnotherLengthKeepsWhatPressedContactsHold) {
   Simulation simulation(on_floor(0.3, {0, 0}, 0));
   simulation.step();
@@ -276,7 +278,8 @@ TEST(Ledger, AStepOfAnotherLengthKeepsWhatPressedContactsHold) {
   EXPECT_EQ(moved(1e-1, 1).first, 0);
   EXPECT_NEAR(moved(1e-5, 1, ContactState::slip, 1e-7).first, -1e-7, 1e-20);
   EXPECT_EQ(moved(1e-3, 1, ContactState::slip, 1e-5).first, 0);
-  EXPECT_NEAR(moved(1e-3, 1, ContactState::slip, -1e-9).first, -1e-5, 1e-18);  // at the limit of friction, but it has come to stand
+  // at the limit of friction, but it has come to stand
+  EXPECT_NEAR(moved(1e-3, 1, ContactState::slip, -1e-9).first, -1e-5, 1e-18);
   EXPECT_EQ(moved(1e-5, 0).first, 0);
 }
 
@@ -288,8 +291,7 @@ TEST(EnergyTerms, OnlyWhatTheSceneCanHave) {
     return all;
   };
   EXPECT_EQ(names(moving(0.1)), "kinetic strain total numerical unexplained ");
-  EXPECT_EQ(names(on_floor(0.3, {0, 0}, 0)),
-            "kinetic strain contact gravity total friction numerical unexplained ");
+  EXPECT_EQ(names(on_floor(0.3, {0, 0}, 0)), "kinetic strain contact gravity total friction numerical unexplained ");
 }
 
 TEST(Record, StaysSmallAndEndsWithTheRun) {

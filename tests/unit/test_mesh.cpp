@@ -83,8 +83,7 @@ TEST(Mesh, HolesAreLeftOut) {
   expect_tessellation(t, area);
   expect_quality(t, uniform(0.12), area / (0.12 * 0.12));
   for (const Vec2& p : hole) EXPECT_EQ(std::count(t.points.begin(), t.points.end(), p), 1);
-  for (std::size_t c = 0; c < t.cells.size(); ++c)
-    EXPECT_FALSE(contains(hole, integrate(cell_outline(t, c)).centroid));
+  for (std::size_t c = 0; c < t.cells.size(); ++c) EXPECT_FALSE(contains(hole, integrate(cell_outline(t, c)).centroid));
 }
 
 // From 0.05 at the hole to 0.5 far away, by 0.15 a metre: each edge has the size that its place asks for.
@@ -112,8 +111,7 @@ TEST(Mesh, TracesAreEdges) {
   for (const auto& i : t.interfaces) {
     if (i.trace < 0) continue;
     length[i.trace] += test::edge_length(t, i.p, i.q);
-    for (int p : {i.p, i.q})
-      EXPECT_LT(distance_to_segment(traces[i.trace][0], traces[i.trace][1], t.points[p]), 1e-9);
+    for (int p : {i.p, i.q}) EXPECT_LT(distance_to_segment(traces[i.trace][0], traces[i.trace][1], t.points[p]), 1e-9);
   }
   EXPECT_NEAR(length[0], Vec2(1.1, 0.4).norm(), 1e-9);
   EXPECT_NEAR(length[1], 1.5 * Vec2(0.2, 4).norm() / 4, 1e-9);
@@ -143,8 +141,9 @@ TEST(Mesh, DoesNotDependOnOriginTurnAndUnit) {
     return mesh(input, uniform(0.1 * unit), plenty);
   };
   const Tessellation near = made({0, 0}, 0, 1);
-  for (const auto& [shift, turn, unit] : {std::tuple(Vec2(1e4, -3e4), 0.0, 1.0), std::tuple(Vec2(0, 0), 0.0, 1000.0), std::tuple(Vec2(0, 0), 0.7, 1.0),
-                                          std::tuple(Vec2(1, 2), 2.0, 30.0), std::tuple(Vec2(1e4, 1e4), -1.9, 1.0)}) {
+  for (const auto& [shift, turn, unit] :
+       {std::tuple(Vec2(1e4, -3e4), 0.0, 1.0), std::tuple(Vec2(0, 0), 0.0, 1000.0), std::tuple(Vec2(0, 0), 0.7, 1.0),
+        std::tuple(Vec2(1, 2), 2.0, 30.0), std::tuple(Vec2(1e4, 1e4), -1.9, 1.0)}) {
     const Tessellation t = made(shift, turn, unit);
     ASSERT_EQ(t.cells, near.cells) << turn;
     for (std::size_t p = 0; p < t.points.size(); ++p)

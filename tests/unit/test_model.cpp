@@ -47,7 +47,8 @@ TEST(Rotation, TurnsAndTurnsBack) {
   // c - 1 keeps its digits where c itself has none left: -θ²/2
   EXPECT_DOUBLE_EQ(Rotation::of(1e-9).c1(), -5e-19);
   EXPECT_DOUBLE_EQ(Rotation::of(std::numbers::pi).c1(), -2);
-  for (const double angle : {0.1, 1.5, 1.6, 3.1, -2.0}) EXPECT_NEAR(Rotation::of(angle).c1(), std::cos(angle) - 1, 2e-16) << angle;
+  for (const double angle : {0.1, 1.5, 1.6, 3.1, -2.0})
+    EXPECT_NEAR(Rotation::of(angle).c1(), std::cos(angle) - 1, 2e-16) << angle;
 }
 
 TEST(Model, PlaceStrainsThenTurnsThenShifts) {
@@ -115,8 +116,7 @@ TEST(Pose, DisplacementKeepsItsDigits) {
   EXPECT_NEAR(moved.y(), -3e-13 + 1e-12, 1e-23);
   model.blocks[0].angle = 2.9;
   const Pose pose = flown(model, 0, 0);
-  EXPECT_NEAR((pose.displacement({1, 1}) - (pose.place({1, 1}) - model.reference_place(0, {1, 1}))).norm(), 0,
-              1e-14);
+  EXPECT_NEAR((pose.displacement({1, 1}) - (pose.place({1, 1}) - model.reference_place(0, {1, 1}))).norm(), 0, 1e-14);
 }
 
 TEST(Stress, TurnsWithItsBlock) {

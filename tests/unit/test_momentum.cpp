@@ -54,7 +54,8 @@ struct FreeDisc {
   }
 };
 
-// What a step keeps to round-off: of each block the moment of inertia counts strain, its mean spin has the strain rates' share with reference moments.
+// What a step keeps to round-off: of each block the moment of inertia counts strain, its mean spin has the strain
+// rates' share with reference moments.
 double kept_angular_momentum(const Model& model) {
   double sum = 0;
   for (int b = 0; b < int(model.shapes.size()); ++b) {

@@ -255,7 +255,7 @@ TEST(Picture, UnknownFieldIsAnsweredWithTheNearest) {
   EXPECT_TRUE(has(refusal(model, "s1_smoth"), "did you mean \"s1_smooth\"")) << refusal(model, "s1_smoth");
   EXPECT_TRUE(has(refusal(model, "s1_smoth"), "output.picture: expected"));
   EXPECT_TRUE(has(refusal(model, "stress"), "output.picture: expected"));  // three numbers are no colour
-  EXPECT_EQ(refusal(model, "velocity"), "");                           // a vector by its length
+  EXPECT_EQ(refusal(model, "velocity"), "");                               // a vector by its length
 }
 
 TEST(Picture, BlocksShowTheLargestOfTheirJoints) {

@@ -99,7 +99,8 @@ TEST(Plan, ACrackHasContacts) {
   EXPECT_TRUE(plan_of(scene).bonds);
 }
 
-// Rock that a charge breaks has all that there is beside loads and supports, and loses each part with what it comes from.
+// Rock that a charge breaks has all that there is beside loads and supports, and loses each part with what it comes
+// from.
 TEST(Plan, RockUnderGas) {
   Scene scene = scene_of({test::meshed("rock", box, 0.5)});
   scene.time.mode = Mode::dynamic;
@@ -114,10 +115,12 @@ TEST(Plan, RockUnderGas) {
   ViscousBoundary& viscous = scene.viscous_boundaries.emplace_back();
   viscous.region = 0;
   viscous.on = on_line({0, 0}, {2, 0});
-  EXPECT_EQ(parts(scene), (Parts{"blocks", "mode", "bonds", "fracture", "gas", "contacts", "viscous boundaries", "stress recovery"}));
+  EXPECT_EQ(parts(scene),
+            (Parts{"blocks", "mode", "bonds", "fracture", "gas", "contacts", "viscous boundaries", "stress recovery"}));
   EXPECT_EQ(line(scene, "gas"), "1 charge");
   scene.charges.clear();
-  EXPECT_EQ(parts(scene), (Parts{"blocks", "mode", "bonds", "fracture", "contacts", "viscous boundaries", "stress recovery"}));
+  EXPECT_EQ(parts(scene),
+            (Parts{"blocks", "mode", "bonds", "fracture", "contacts", "viscous boundaries", "stress recovery"}));
   scene.properties[0].breaks = false;
   EXPECT_EQ(parts(scene), (Parts{"blocks", "mode", "bonds", "viscous boundaries", "stress recovery"}));
   scene.viscous_boundaries.clear();
@@ -125,8 +128,7 @@ TEST(Plan, RockUnderGas) {
 }
 
 TEST(Plan, OrdersAndHeldBlocks) {
-  Scene scene =
-      scene_of({region("a", box), region("b", rectangle(3, 0, 1, 1)), region("c", rectangle(5, 0, 1, 1))});
+  Scene scene = scene_of({region("a", box), region("b", rectangle(3, 0, 1, 1)), region("c", rectangle(5, 0, 1, 1))});
   scene.regions[1].order = BlockOrder::rigid;
   scene.regions[2].held = true;
   EXPECT_EQ(line(scene, "blocks"), "3 blocks: 1 first order, 1 rigid, 1 held; 9 unknowns");

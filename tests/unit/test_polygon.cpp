@@ -184,8 +184,7 @@ TEST(PolygonOverlap, OfConvexAndOtherPolygons) {
   EXPECT_NEAR(overlap_area(l_shape, rectangle(-1, -1, 9, 9)), 3, 1e-12);
   EXPECT_EQ(overlap_area(l_shape, rectangle(1, 1, 1, 1)), 0);  // fills the notch: common edges only
   EXPECT_EQ(overlap_area(l_shape, rectangle(4, 0, 1, 1)), 0);
-  EXPECT_NEAR(overlap_area(star(5), shifted(star(5), {0, 0}, 2 * std::numbers::pi / 5)), signed_area(star(5)),
-              1e-12);
+  EXPECT_NEAR(overlap_area(star(5), shifted(star(5), {0, 0}, 2 * std::numbers::pi / 5)), signed_area(star(5)), 1e-12);
 }
 
 TEST(ClipToBox, IsTheRangeInside) {
@@ -198,7 +197,8 @@ TEST(ClipToBox, IsTheRangeInside) {
 }
 
 TEST(ConvexParts, AreConvexAndAllThereIs) {
-  for (const Polyline& whole : {l_shape, shifted(l_shape, {3, 4}, 0.3, 1e-3), star(5), star(11), Polyline{{0, 0}, {1, 0}, {2, 0}, {2, 1}}}) {
+  for (const Polyline& whole :
+       {l_shape, shifted(l_shape, {3, 4}, 0.3, 1e-3), star(5), star(11), Polyline{{0, 0}, {1, 0}, {2, 0}, {2, 1}}}) {
     double area = 0;
     for (const ConvexPart& part : convex_parts(whole)) {
       Polyline corners;

@@ -128,9 +128,8 @@ TEST(Recovery, StressTurnsWithTheBody) {
   const Rotation r = Rotation::of(angle);
   displace(
       model, [&](const Vec2& p) { return Vec2(r.turn(p + u(p)) - p); }, angle);
-  EXPECT_LT(
-      worst(model, [&](const Vec2& p) { return turn_stress(r, exact_stress(model, kolosov(model, 1e-3), p)); }),
-      1e-9);
+  EXPECT_LT(worst(model, [&](const Vec2& p) { return turn_stress(r, exact_stress(model, kolosov(model, 1e-3), p)); }),
+            1e-9);
   for (BlockShape& s : model.shapes) s.initial_stress = {7, -3, 2};  // in the blocks' axes
   displace(
       model, [&](const Vec2& p) { return Vec2(r.turn(p) - p); }, angle);

@@ -58,7 +58,8 @@ TEST_F(Results, AFrameReadsBackAsItWasWritten) {
   for (std::size_t v = 0; v < 8; ++v) {
     EXPECT_EQ(frame.points[v], Vec2(model.vertex[v] + model.origin));
     EXPECT_NEAR(frame.of_point("displacement")->at(v, 0),
-                model.vertex[v].x() - model.shapes[v / 4].reference_centroid.x() - model.reference_vertex[v].x(), 1e-15);
+                model.vertex[v].x() - model.shapes[v / 4].reference_centroid.x() - model.reference_vertex[v].x(),
+                1e-15);
   }
   EXPECT_TRUE(frame.cell("region")->whole);
   EXPECT_FALSE(frame.cell("sxx")->whole);
@@ -107,7 +108,8 @@ TEST_F(Results, FilesThatAreCutShortAreRefusedByName) {
     fs::resize_file(path, kept);
     EXPECT_NE(refusal([&] { ResultsFolder(dir_).blocks(1); }).find("cannot read " + path), std::string::npos) << kept;
   }
-  EXPECT_NE(refusal([&] { ResultsFolder("/nowhere/at/all"); }).find("expected a run's results folder"), std::string::npos);
+  EXPECT_NE(refusal([&] { ResultsFolder("/nowhere/at/all"); }).find("expected a run's results folder"),
+            std::string::npos);
 }
 
 TEST_F(Results, HistoryHasNamesUnitsAndValues) {
@@ -118,7 +120,8 @@ TEST_F(Results, HistoryHasNamesUnitsAndValues) {
   EXPECT_EQ(columns[1].values, (std::vector<double>{1e-3, -4}));
   EXPECT_EQ(columns[2].unit, "");
   EXPECT_TRUE(std::isnan(columns[2].values[1]));
-  EXPECT_NE(refusal([&] { read_history(write("bad.csv", "a,b\n1\n2,3\n")); }).find("bad.csv:2: expected 2 columns"), std::string::npos);
+  EXPECT_NE(refusal([&] { read_history(write("bad.csv", "a,b\n1\n2,3\n")); }).find("bad.csv:2: expected 2 columns"),
+            std::string::npos);
 }
 
 TEST_F(Results, HistoriesOfOneUnitAreDrawnTogether) {

@@ -90,7 +90,8 @@ local block = talus.region { name = "block", outline = talus.rect(1, 1, 2, 2), m
   spin_centre = {1, 1}, stress = { sxx = -1, syy = -2, sxy = 3, gradient_y = {0, 5, 0} }, body_force = {0, 9},
   holes = { talus.circle { at = {1.5, 1.5}, radius = 0.1, sides = 8, name = "h" } },
   mesh = { size = talus.grade { { at = "h", size = 0.05 }, far = 0.2 } },
-  cuts = { talus.trace { points = talus.line(1, 1, 2, 2), joint = bond, bonded = true }, talus.joint_set { dip = 1, spacing = 2, through = {0, 0}, seed = 9 } } }
+  cuts = { talus.trace { points = talus.line(1, 1, 2, 2), joint = bond, bonded = true },
+           talus.joint_set { dip = 1, spacing = 2, through = {0, 0}, seed = 9 } } }
 talus.simulation {
   title = "all", gravity = {0, -9.81}, regions = { slab, block }, max_blocks = 1000,
   contacts = { talus.contact { between = { "slab", block }, joint = bond } },

@@ -82,7 +82,9 @@ TEST(Scheme, EnergyNeverRises) {
 }
 
 // Eigenvalues of the map (x, v) -> next lie in the unit circle.
-double spectral_radius(const Eigen::MatrixXd& map) { return map.eigenvalues().cwiseAbs().maxCoeff(); }
+double spectral_radius(const Eigen::MatrixXd& map) {
+  return map.eigenvalues().cwiseAbs().maxCoeff();
+}
 
 TEST(Scheme, IsStableForEveryStep) {
   for (double dt = 1e-3; dt < 1e4; dt *= 1.7)
@@ -115,8 +117,7 @@ TEST(Scheme, ThreeQuartersDampsLikeNewmarkWithThatBeta) {
       const double x1 = (x + v + (0.5 - beta) * a) / (1 + beta * w), a1 = -w * x1;
       newmark.col(k) << x1, v + a1, a1;
     }
-    EXPECT_NEAR(spectral_radius(theta), spectral_radius(newmark), 1e-7)
-        << omega;
+    EXPECT_NEAR(spectral_radius(theta), spectral_radius(newmark), 1e-7) << omega;
   }
 }
 

@@ -26,8 +26,9 @@ std::string run(const LuaState& state, const std::string& chunk) {
 TEST(Sandbox, HasNoFilesProcessesOrBytecode) {
   const LuaState state;
   EXPECT_EQ(run(state, "assert(io == nil and debug == nil and dofile == nil and loadfile == nil)"), "");
-  EXPECT_EQ(run(state, "local there = {time = true, clock = true, date = true} "
-                       "for name, f in pairs(os) do assert(pcall(f) == (there[name] or false), name) end"),
+  EXPECT_EQ(run(state,
+                "local there = {time = true, clock = true, date = true} "
+                "for name, f in pairs(os) do assert(pcall(f) == (there[name] or false), name) end"),
             "");
   EXPECT_EQ(run(state, "\nos.execute('ls')"), "scene.lua:2: os.execute: a scene starts no programs");
   EXPECT_NE(run(state, "io.open('x')").find("a scene has no files"), std::string::npos);
@@ -39,7 +40,8 @@ TEST(Sandbox, HasNoFilesProcessesOrBytecode) {
 
 TEST(LuaState, MemoryIsCapped) {
   const LuaState state({.memory_cap = 1 << 20, .library = ""});
-  EXPECT_EQ(run(state, "local t = {}\nfor i = 1, 1e9 do t[i] = i end"), "scene.lua:2: out of memory: the script may have 1 MB");
+  EXPECT_EQ(run(state, "local t = {}\nfor i = 1, 1e9 do t[i] = i end"),
+            "scene.lua:2: out of memory: the script may have 1 MB");
   EXPECT_EQ(run(state, "assert(#string.rep('x', 1000) == 1000)"), "");
 }
 
@@ -62,12 +64,10 @@ TEST(Boundary, ExceptionsBecomeErrorsWithAKind) {
   lua_register(state.get(), "fault", guarded<throws_logic_error>);
   lua_register(state.get(), "stop", guarded<throws_run_error>);
   EXPECT_EQ(
-      run(state,
-          "local ok, e = pcall(fault); assert(not ok and e.kind == 'internal' and tostring(e) == 'a fault')"),
+      run(state, "local ok, e = pcall(fault); assert(not ok and e.kind == 'internal' and tostring(e) == 'a fault')"),
       "");
-  EXPECT_EQ(
-      run(state, "local ok, e = pcall(stop); assert(e.kind == 'run'); assert('x: ' .. e == 'x: no equilibrium')"),
-      "");
+  EXPECT_EQ(run(state, "local ok, e = pcall(stop); assert(e.kind == 'run'); assert('x: ' .. e == 'x: no equilibrium')"),
+            "");
   lua_getglobal(state.get(), "stop");
   try {
     protected_call(state.get(), 0, 0);
@@ -100,9 +100,8 @@ TEST(Nearest, FindsSlipsOfTheKeyboard) {
 TEST(TableReader, ReadsAndRefuses) {
   const LuaState state;
   lua_State* L = state.get();
-  ASSERT_EQ(
-      run(state, "t = { a = 1.5, n = 3, p = {1, 2}, line = {{0, 0}, {1, 2}}, list = {{x = 1}, {x = 2}}, i = 4 }"),
-      "");
+  ASSERT_EQ(run(state, "t = { a = 1.5, n = 3, p = {1, 2}, line = {{0, 0}, {1, 2}}, list = {{x = 1}, {x = 2}}, i = 4 }"),
+            "");
   lua_getglobal(L, "t");
   const TableReader t(L, -1);
   double a = 0, missing = 7;

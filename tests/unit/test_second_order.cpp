@@ -68,7 +68,9 @@ TEST(SecondOrder, MomentsAreExact) {
   const Polyline outline = {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}};  // two rectangles
   const HighMoments m = integrate_high(outline, {0.5, 0.25});
   const auto moment = [](int px, int py) {
-    const auto side = [](double from, double to, int p) { return (std::pow(to, p + 1) - std::pow(from, p + 1)) / (p + 1); };
+    const auto side = [](double from, double to, int p) {
+      return (std::pow(to, p + 1) - std::pow(from, p + 1)) / (p + 1);
+    };
     return side(-0.5, 3.5, px) * side(-0.25, 0.75, py) + side(-0.5, 0.5, px) * side(0.75, 2.75, py);
   };
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(m.third[size_t(k)], moment(3 - k, k), 1e-13 * moment(4, 0)) << k;
@@ -111,20 +113,21 @@ TEST(SecondOrder, RowsAndRatesAreTheDerivativeOfThePlace) {
     moved.blocks[0].velocity[size_t(k)] = 1;
     return flown(moved, 0, by).place(in_block);
   };
-  for (int k = 0; k < 12; ++k)
-    EXPECT_LT((rows.col(k) - (place(k, h) - place(k, -h)) / (2 * h)).norm(), 1e-8) << k;
+  for (int k = 0; k < 12; ++k) EXPECT_LT((rows.col(k) - (place(k, h) - place(k, -h)) / (2 * h)).norm(), 1e-8) << k;
   const Vec2 rate = rows * model.blocks[0].velocity.column<12>();
   EXPECT_LT((pose.velocity_at(in_block) - rate).norm(), 1e-13);
   EXPECT_LT((model.velocity_at(0, model.place(0, in_block)) - rate).norm(), 1e-9);
   EXPECT_LT((model.place(0, in_block) - pose.place(in_block)).norm(), 1e-14);
 }
 
-// u = (quadratic), whose stress varies linearly and needs the body force -div σ: of blocks without a free edge nothing is left.
+// u = (quadratic), whose stress varies linearly and needs the body force -div σ: of blocks without a free edge nothing
+// is left.
 TEST(SecondOrder, BondsLetThroughAnyQuadraticField) {
   Scene scene = second_order(test::irregular());
   Model model = build(scene);
   const Mat3 elastic = elasticity(model.material(0));
-  const Eigen::Matrix<double, 2, 3> b = (Eigen::Matrix<double, 2, 3>() << 0.03, -0.05, 0.02, 0.01, 0.04, -0.06).finished();
+  const Eigen::Matrix<double, 2, 3> b =
+      (Eigen::Matrix<double, 2, 3>() << 0.03, -0.05, 0.02, 0.01, 0.04, -0.06).finished();
   Vector exact(model.dofs);  // of u = B (x², xy, y²)
   for (const BlockShape& s : model.shapes) {
     const Vec2 c = s.reference_centroid;
@@ -154,7 +157,8 @@ TEST(SecondOrder, BondsLetThroughAnyQuadraticField) {
     ++inner;
     ColumnOf<12> wanted = ColumnOf<12>::Zero();
     wanted.head<2>() = s.area * body;
-    EXPECT_LT((force.segment<12>(s.dof_begin) - wanted).norm(), 1e-10 * (s.length * elastic * by_x / elastic(0, 0)).norm());
+    EXPECT_LT((force.segment<12>(s.dof_begin) - wanted).norm(),
+              1e-10 * (s.length * elastic * by_x / elastic(0, 0)).norm());
   }
   EXPECT_GT(inner, 20);
 }
@@ -193,7 +197,9 @@ TEST(SecondOrder, BondsArePositiveJustAboveTheProvenStiffness) {
 TEST(SecondOrder, BondsAreIndefiniteFarBelowIt) {
   Scene scene = second_order(scene_of({test::patterned("box", rectangle(0, 0, 2, 1), MeshKind::cross, 4, 2)}));
   scene.properties[0].penalty = 0.2;
-  EXPECT_LT(Eigen::SelfAdjointEigenSolver<Dense>(Assembled(build(scene)).dense(), Eigen::EigenvaluesOnly).eigenvalues()[0], -1);
+  EXPECT_LT(
+      Eigen::SelfAdjointEigenSolver<Dense>(Assembled(build(scene)).dense(), Eigen::EigenvaluesOnly).eigenvalues()[0],
+      -1);
 }
 
 // K is minus the derivative of the forces, of bonds by Nitsche and by springs, turned and not, with a fixed edge.
@@ -226,7 +232,8 @@ TEST(SecondOrder, StiffnessIsTheDerivativeOfTheForces) {
   }
 }
 
-// Blocks of second order have corners along their edges, the same on both sides of a joint, which stands on several sides then.
+// Blocks of second order have corners along their edges, the same on both sides of a joint, which stands on several
+// sides then.
 TEST(SecondOrder, BothSidesOfAJointHaveTheSameCorners) {
   for (const bool bonded : {false, true}) {
     Region cut = region("cut", rectangle(0, 0, 4, 1));
@@ -239,7 +246,10 @@ TEST(SecondOrder, BothSidesOfAJointHaveTheSameCorners) {
     const Joint& joint = model.joints[0];
     ASSERT_GT(joint.sides, 2);
     EXPECT_NEAR(joint.length, 1, 1e-12);
-    const auto place = [&](int block, int corner) { return model.reference_place(block, model.reference_vertex[size_t(model.shapes[size_t(block)].vertex_begin + corner)]); };
+    const auto place = [&](int block, int corner) {
+      return model.reference_place(block,
+                                   model.reference_vertex[size_t(model.shapes[size_t(block)].vertex_begin + corner)]);
+    };
     EXPECT_LT((place(joint.a, joint.edge_a) - model.reference_place(joint.a, joint.in_a[0])).norm(), 1e-12);
     EXPECT_LT((place(joint.b, joint.edge_b) - model.reference_place(joint.b, joint.in_b[1])).norm(), 1e-12);
     for (int side = 0; side < joint.sides; ++side) {
@@ -264,7 +274,8 @@ TEST(SecondOrder, WithoutContactsEdgesAreNotDivided) {
 
 // Of the gap, of the vertex and of the edge as it bends.
 TEST(SecondOrder, ContactRowsAreTheDerivativeOfTheGap) {
-  Model model = build(second_order(scene_of({region("floor", rectangle(0, 0, 3, 1)), region("block", rectangle(0.5, 1, 1, 1))})));
+  Model model =
+      build(second_order(scene_of({region("floor", rectangle(0, 0, 3, 1)), region("block", rectangle(0.5, 1, 1, 1))})));
   *model.blocks[0].bend = {0.01, 0.02, -0.01, 0.005, 0.01, 0.02};
   *model.blocks[1].bend = {-0.02, 0.01, 0.01, 0.01, -0.005, 0.01};
   model.place_vertices();
@@ -290,7 +301,8 @@ TEST(SecondOrder, ContactRowsAreTheDerivativeOfTheGap) {
           const int to = moved.shapes[size_t(c.j)].vertex_begin + moved.next_vertex(c.j, c.edge);
           const Vec2 from = moved.vertex[size_t(c.global_edge)], span = moved.vertex[size_t(to)] - from;
           const Pose of_j = flown(moved, c.j, c.j == block ? by : 0);
-          const Vec2 middle = of_j.place((moved.reference_vertex[size_t(c.global_edge)] + moved.reference_vertex[size_t(to)]) / 2);
+          const Vec2 middle =
+              of_j.place((moved.reference_vertex[size_t(c.global_edge)] + moved.reference_vertex[size_t(to)]) / 2);
           return CurvedEdge{from, span, Vec2(middle - from - span / 2)}.foot(moved.vertex[size_t(c.global_vertex)]).gap;
         };
         const double slope = (gap(h) - gap(-h)) / (2 * h);
@@ -299,8 +311,9 @@ TEST(SecondOrder, ContactRowsAreTheDerivativeOfTheGap) {
 }
 // Loose blocks of both orders come to rest on each other by sweeps, and their stress carries what lies above.
 TEST(SecondOrder, LooseBlocksComeToRest) {
-  Scene scene = second_order(scene_of({region("floor", rectangle(-1, -1, 4, 1)), region("low", rectangle(0, 0, 1, 1)),
-                                       region("middle", rectangle(0, 1, 1, 1)), region("high", rectangle(0, 2, 1, 1))}));
+  Scene scene =
+      second_order(scene_of({region("floor", rectangle(-1, -1, 4, 1)), region("low", rectangle(0, 0, 1, 1)),
+                             region("middle", rectangle(0, 1, 1, 1)), region("high", rectangle(0, 2, 1, 1))}));
   scene.regions[0].held = true;
   scene.regions[2].order = BlockOrder::first;
   scene.materials[0].young = 1e6;
@@ -313,7 +326,9 @@ TEST(SecondOrder, LooseBlocksComeToRest) {
   while (!simulation.finished()) simulation.step();
   for (int b = 1; b < 4; ++b) {
     EXPECT_NEAR(simulation.model.stress(b)[1], -20 * (3.5 - b), 0.05) << b;
-    EXPECT_LT(Vec2(simulation.model.blocks[size_t(b)].velocity[0], simulation.model.blocks[size_t(b)].velocity[1]).norm(), 1e-9);
+    EXPECT_LT(
+        Vec2(simulation.model.blocks[size_t(b)].velocity[0], simulation.model.blocks[size_t(b)].velocity[1]).norm(),
+        1e-9);
   }
 }
 
@@ -372,8 +387,8 @@ TEST(SecondOrder, AStateIsSavedWhole) {
   EXPECT_EQ(one.hash(), other.hash());
 }
 
-// Angular momentum of a free disc of blocks of all orders: the spin counts strain and bend in the moment of inertia, the rates of
-// both count with reference moments. A step keeps it to round-off.
+// Angular momentum of a free disc of blocks of all orders: the spin counts strain and bend in the moment of inertia,
+// the rates of both count with reference moments. A step keeps it to round-off.
 TEST(SecondOrder, AStepKeepsTheMomentum) {
   for (const bool all : {true, false}) {
     Polyline circle;

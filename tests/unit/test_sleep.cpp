@@ -82,7 +82,8 @@ TEST(Sleep, WhatIsThrownWithinAStepWakesWhatItMeets) {
   const auto thrown = [](bool sleeping) {
     Region shot = region("shot", rectangle(-6.05, 0, 1, 1));
     shot.velocity = {90, 0};
-    Scene scene = moving({region("floor", rectangle(-10, -5, 20, 1)), shot, region("struck", rectangle(0, 0, 1, 1)), region("met", rectangle(1.12, 0, 1, 1))},
+    Scene scene = moving({region("floor", rectangle(-10, -5, 20, 1)), shot, region("struck", rectangle(0, 0, 1, 1)),
+                          region("met", rectangle(1.12, 0, 1, 1))},
                          sleeping);
     scene.gravity = {0, 0};
     scene.time.settled_start = false;

@@ -140,7 +140,8 @@ TEST(Step, ATornSquareGoesOnFromASavedState) {
   }
 }
 
-// Wherever it is left in its search for equilibrium: everything is as before it, and taken again it ends in the same bits.
+// Wherever it is left in its search for equilibrium: everything is as before it, and taken again it ends in the same
+// bits.
 TEST(Step, ASearchForEquilibriumThatIsInterruptedChangesNothing) {
   for (const CrackPath path : {CrackPath::mesh, CrackPath::tracked}) {
     constexpr int steps = 8;

@@ -114,9 +114,8 @@ TEST(Outcome, WhatASignalEndedIsNotFinal) {
 
 TEST(Outcome, MessagesAreTheRunsOwn) {
   const Folder folder("log");
-  folder.write(
-      "log.txt",
-      "PASS  a  1  expected 1\nFAIL  way, m  2  expected 1\nFAIL  b  2  expected 1\ntalus: x.lua:3: no\n");
+  folder.write("log.txt",
+               "PASS  a  1  expected 1\nFAIL  way, m  2  expected 1\nFAIL  b  2  expected 1\ntalus: x.lua:3: no\n");
   EXPECT_EQ(message_of_log(folder.path("log.txt"), 1, 0), "way, m, b");
   EXPECT_EQ(message_of_log(folder.path("log.txt"), 2, 0), "x.lua:3: no");
   EXPECT_EQ(message_of_log(folder.path("log.txt"), 0, 0), "");

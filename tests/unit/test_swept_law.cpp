@@ -25,11 +25,13 @@ struct Case {
 Case random_case(std::mt19937& random) {
   std::uniform_real_distribution<double> part(-1, 1), kind(0, 1);
   const double nn = 1 + 0.9 * part(random), ss = 1 + 0.9 * part(random), ns = 0.9 * part(random) * std::sqrt(nn * ss);
-  const double friction = kind(random) < 0.2 ? 0 : 1 + part(random), cohesion = kind(random) < 0.5 ? 0 : 0.3 * (1 + part(random));
+  const double friction = kind(random) < 0.2 ? 0 : 1 + part(random),
+               cohesion = kind(random) < 0.5 ? 0 : 0.3 * (1 + part(random));
   return {{nn, ns, ss, friction, cohesion}, part(random), part(random)};
 }
 
-// Coulomb's law with cohesion, at one of the states that it may be in; where a contact would wedge itself no force may do.
+// Coulomb's law with cohesion, at one of the states that it may be in; where a contact would wedge itself no force may
+// do.
 TEST(SweptLaw, MeetsCoulombsLaw) {
   std::mt19937 random(7);
   int met = 0, count = 20000;
@@ -39,7 +41,8 @@ TEST(SweptLaw, MeetsCoulombsLaw) {
     const auto [gap, slide] = left(law, gap0, slide0, f);
     const double limit = law.friction * f.n + law.cohesion, same = 1e-9;
     const bool normal = f.n > 0 ? std::abs(gap) < same : gap > -same;
-    const bool shear = std::abs(f.t) < limit - same ? std::abs(slide) < same : std::abs(f.t) <= limit + same && slide * f.t >= -same;
+    const bool shear =
+        std::abs(f.t) < limit - same ? std::abs(slide) < same : std::abs(f.t) <= limit + same && slide * f.t >= -same;
     met += normal && shear;
   }
   EXPECT_GT(met, 0.999 * count);

@@ -138,8 +138,8 @@ TEST(Voronoi, DoesNotDependOnOriginTurnAndUnit) {
     for (const auto& cell : other) {
       double least = 1;
       for (const auto& n : near)
-        least = std::min(least,
-                         std::max({std::abs(cell[0] - n[0]), std::abs(cell[1] - n[1]), std::abs(cell[2] - n[2])}));
+        least =
+            std::min(least, std::max({std::abs(cell[0] - n[0]), std::abs(cell[1] - n[1]), std::abs(cell[2] - n[2])}));
       most = std::max(most, least);
     }
     EXPECT_LT(most, 1e-6);
@@ -153,8 +153,7 @@ TEST(Voronoi, TooManyGrainsAreRefused) {
 
 TEST(Voronoi, SizeMustBePositiveAndFinite) {
   for (double size : {0.0, -1.0, double(NAN), double(INFINITY)})
-    EXPECT_THROW(voronoi({rectangle(0, 0, 1, 1), {}, {}}, uniform(size), 1, plenty), std::invalid_argument)
-        << size;
+    EXPECT_THROW(voronoi({rectangle(0, 0, 1, 1), {}, {}}, uniform(size), 1, plenty), std::invalid_argument) << size;
 }
 
 TEST(Voronoi, CoarserThanTheRegion) {

@@ -227,7 +227,8 @@ TEST(VtkJoints, EmptyFrameCanBeRead) {
   EXPECT_EQ(read(scratch_vtk("joints.vtp"))->GetNumberOfCells(), 0);
 }
 
-// A hole of 0.2 m in two halves, the gas at 10 m/s: after 50 ms it has come 0.5 m from the centre, 0.4 of the 0.9 m of each joint.
+// A hole of 0.2 m in two halves, the gas at 10 m/s: after 50 ms it has come 0.5 m from the centre, 0.4 of the 0.9 m of
+// each joint.
 TEST(VtkCracks, ShowHowFarTheGasHasCome) {
   Region halves = test::region("halves", {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
   halves.holes = {{{}, "hole", {{-0.1, -0.1}, {0.1, -0.1}, {0.1, 0.1}, {-0.1, 0.1}}}};
@@ -236,7 +237,8 @@ TEST(VtkCracks, ShowHowFarTheGasHasCome) {
   scene.time = {};
   scene.time.t_end = 0.05;
   scene.time.dt = 1e-3;
-  scene.charges = {{{}, "charge", 0, 0, 0, 0, polytropic(1e-3, 1.4), {}, [](const GasMoment&) { return 10.; }, 10., {}, {}, {}}};
+  scene.charges = {
+      {{}, "charge", 0, 0, 0, 0, polytropic(1e-3, 1.4), {}, [](const GasMoment&) { return 10.; }, 10., {}, {}, {}}};
   Simulation simulation(scene);
   while (!simulation.finished()) simulation.step();
   write_cracks_vtp(scratch_vtk("cracks.vtp"), simulation.model, simulation.gas());
