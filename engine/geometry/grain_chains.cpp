@@ -6,7 +6,10 @@
 namespace talus {
 namespace {
 
-constexpr double smooth = 30 * M_PI / 180;  // rad
+// rad. Circles are drawn with twelve sides: corners of 30° are not left to round-off.
+constexpr double smooth = 31 * M_PI / 180;
+// Of an interval: a station so near a corner is at it, and between its edges. Those of regular polygons often are.
+constexpr double at_corner = 1e-6;
 
 class ChainMaker {
  public:
@@ -82,10 +85,13 @@ std::vector<ChainStation> stations(const GrainChain& chain, const std::vector<Ve
   std::size_t i = 0;
   for (long k = 0; k < count; ++k) {
     const double wanted = sum.back() * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
-    while (i + 1 < edges && sum[i + 1] < wanted) ++i;
+    while (i + 1 < edges && sum[i + 1] < wanted - at_corner) ++i;
     const Vec2 a = points[chain.points[i]], b = points[chain.points[i + 1]];
     const Vec2 at = a + size.where(a, b, wanted - sum[i]) * (b - a);
-    list.push_back({at, (b - a).normalized(), size.at(at) * sum.back() / static_cast<double>(count)});
+    Vec2 along = (b - a).normalized();
+    if (i + 1 < edges && sum[i + 1] < wanted + at_corner)
+      along = (along + (points[chain.points[i + 2]] - b).normalized()).normalized();
+    list.push_back({at, along, size.at(at) * sum.back() / static_cast<double>(count)});
   }
   return list;
 }

@@ -13,7 +13,7 @@ struct GrainChain {
   bool cornerless = false;  // a closed curve that is smooth all round
 };
 
-// Edges of a network joined where two of them meet at less than 30°: finer turns, as those of a circle drawn with
+// Edges of a network joined where two of them meet at less than 31°: finer turns, as those of a circle drawn with
 // many sides, are no corners to a grain.
 std::vector<GrainChain> grain_chains(const Network& network);
 

@@ -4,7 +4,9 @@
 #include <functional>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
 
+#include "geometry/grain_chains.h"
 #include "hand_model.h"
 #include "tessellation_checks.h"
 
@@ -110,7 +112,9 @@ TEST(Voronoi, TheSeedDecides) {
 
 // Shifted, turned and scaled: the same grains. A turn reorders the cells: each is compared with the nearest.
 TEST(Voronoi, DoesNotDependOnOriginTurnAndUnit) {
-  const auto made = [](const Vec2& shift, double turn, double unit) {
+  int sides = 0;  // of the hole
+  double radius = 0;
+  const auto made = [&sides, &radius](const Vec2& shift, double turn, double unit) {
     const auto move = [&](Polyline line) {
       for (Vec2& p : line)
         p = shift + unit * Vec2(std::cos(turn) * p.x() - std::sin(turn) * p.y(),
@@ -118,7 +122,7 @@ TEST(Voronoi, DoesNotDependOnOriginTurnAndUnit) {
       return line;
     };
     const TessellationInput input{move(rectangle(0, 0, 3, 2)),
-                                  {move(polygon_of_circle({1, 1}, 0.3, 20))},
+                                  {move(polygon_of_circle({1, 1}, radius, sides))},
                                   {move({{0, 0.3}, {2, 1.7}}), move({{0.5, 1.9}, {2.5, 0.2}})}};
     const Tessellation t = voronoi(input, uniform(0.1 * unit), 1, plenty);
     std::vector<std::array<double, 3>> cells;  // in the coordinates of the first
@@ -130,19 +134,41 @@ TEST(Voronoi, DoesNotDependOnOriginTurnAndUnit) {
     }
     return cells;
   };
-  const auto near = made({0, 0}, 0, 1);
-  for (const auto& other :
-       {made({1e4, -3e4}, 0, 1), made({0, 0}, 0, 1000), made({0, 0}, 0.7, 1), made({1e4, 1e4}, 2, 1)}) {
-    ASSERT_EQ(other.size(), near.size());
-    double most = 0;
-    for (const auto& cell : other) {
-      double least = 1;
-      for (const auto& n : near)
-        least =
-            std::min(least, std::max({std::abs(cell[0] - n[0]), std::abs(cell[1] - n[1]), std::abs(cell[2] - n[2])}));
-      most = std::max(most, least);
+  // Corners of 30° too.
+  for (const auto& hole : {std::pair(12, 0.3), {20, 0.3}}) {
+    std::tie(sides, radius) = hole;
+    const auto near = made({0, 0}, 0, 1);
+    for (const auto& other :
+         {made({1e4, -3e4}, 0, 1), made({0, 0}, 0, 1000), made({0, 0}, 0.7, 1), made({1e4, 1e4}, 2, 1)}) {
+      ASSERT_EQ(other.size(), near.size()) << sides << " sides, " << radius;
+      double most = 0;
+      for (const auto& cell : other) {
+        double least = 1;
+        for (const auto& n : near)
+          least =
+              std::min(least, std::max({std::abs(cell[0] - n[0]), std::abs(cell[1] - n[1]), std::abs(cell[2] - n[2])}));
+        most = std::max(most, least);
+      }
+      EXPECT_LT(most, 1e-6) << sides << " sides, " << radius;
     }
-    EXPECT_LT(most, 1e-6);
+  }
+}
+
+// A station at a corner is between its edges: which one is not left to round-off.
+TEST(Voronoi, StationsAtCornersFaceTheirBisector) {
+  for (const Vec2& centre : {Vec2(0, 0), Vec2(1e4, -3e4)}) {
+    const TessellationInput input{polygon_of_circle(centre, 1, 12), {}, {}};
+    const Network network = make_network(input);
+    const std::vector<GrainChain> chains = grain_chains(network);
+    ASSERT_EQ(chains.size(), 1u);
+    const MeshFrame frame = MeshFrame::about_first_point(input.outline);
+    const std::function<double(Vec2)> unit = uniform(frame.unit());
+    const SizeField size(frame, unit);  // six stations
+    for (const ChainStation& station : stations(chains[0], network.points, size)) {
+      const Vec2 out = station.at - centre;
+      EXPECT_NEAR(out.norm(), 1, 1e-9);
+      EXPECT_NEAR(station.along.dot(out), 0, 1e-9);
+    }
   }
 }
 
