@@ -88,6 +88,19 @@ struct Softening {
   }
 };
 
+// How the residual of a search falls.
+struct Descent {
+  double least = std::numeric_limits<double>::infinity();
+  int since_fall = 0;  // solves
+
+  void watch(double residual) {
+    since_fall = residual < 0.99 * least ? 0 : since_fall + 1;
+    least = std::min(least, residual);
+  }
+  bool creeps() const { return since_fall > 0 && since_fall % creeping == 0; }
+  double slack() const { return since_fall < drifting ? 1 : drifting_residual; }  // of what is asked for
+};
+
 void end_sliding(Model& model) {
   for (Contact& contact : model.contacts) contact.end_sliding();
 }
@@ -220,20 +233,18 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   double least = limited ? least_hold * slower_by_width(model_) : 0;
   const double enough = model_.scene.numerics.static_tolerance;
   const bool loaded = plan_.gravity || plan_.loads;  // else nothing leads what creeps to where more holds it
-  // what nothing touches goes as far as Newton's method takes it, and where that makes it touch something begins again
-  // by short ways
+  // What nothing touches goes as far as Newton's method takes it, and where that makes it touch something begins again
+  // by short ways.
   std::optional<Restored> freely;
   if (plan_.contacts && !limited) freely.emplace(model_);
-  Softening softening;
-  const BridgeSearch bridged(bridges_);
-  for (BlockState& state : model_.blocks) std::ranges::fill(state.velocity, 0);
-  for (Contact& contact : model_.contacts) contact.coheres = false;
   std::optional<Settlement> settlement;
   if (search.in_place && plan_.contacts) settlement.emplace(model_);
-  if (plan_.held_blocks) place_held_blocks(model_);
+  const BridgeSearch bridged(bridges_);
+  begin();
   hold_.assign(model_.shapes.size(), std::max(hold, least));
-  double least_residual = std::numeric_limits<double>::infinity();
-  int since_fall = 0, past = 0;
+  Softening softening;
+  Descent descent;
+  int past = 0;
   std::vector<Contact> contacts;  // before the search, which keeps as an offset what it finds deep
   for (int i = 0; i < iterations && report.iterations < search.most_solves; ++i) {
     if (search.jumped && !search.may_jump) return false;
@@ -251,11 +262,9 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     assemble(stick, search.whole_way);
     result = parts_.islands.judge(model_, parts_.system, parts_.contacts, i > 0 ? enough : -1);
     report.residual = result.residual;
-    since_fall = result.residual < 0.99 * least_residual ? 0 : since_fall + 1;
-    least_residual = std::min(least_residual, result.residual);
-    if (loaded && since_fall > 0 && since_fall % creeping == 0)
-      least = std::min(least, std::max(least / 4, least_creep * least_hold));
-    if (i > 0 && result.residual <= (since_fall < drifting ? 1 : drifting_residual) * enough) {
+    descent.watch(result.residual);
+    if (loaded && descent.creeps()) least = std::min(least, std::max(least / 4, least_creep * least_hold));
+    if (i > 0 && result.residual <= descent.slack() * enough) {
       if (freely) freely->keep();
       end_sliding(model_);
       return true;
@@ -264,9 +273,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
     result = solve(d);
     report.iterations += result.iterations;
     if (result.singular_block >= 0 && bridges_.any() && softening.less()) {
-      result.singular_block = -1;
-      for (double& held : hold_) held = std::max(held, giving_hold);
-      search.jumped = true;
+      give_way(search);
       continue;
     }
     if (!result.converged && (!plan_.contacts || result.singular_block >= 0)) return false;
@@ -291,6 +298,19 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
       for (Joint& joint : model_.joints) wear_bridges(model_, joint);
   }
   return false;
+}
+
+void Equilibrium::begin() {
+  for (BlockState& state : model_.blocks) std::ranges::fill(state.velocity, 0);
+  for (Contact& contact : model_.contacts) contact.coheres = false;
+  if (plan_.held_blocks) place_held_blocks(model_);
+}
+
+// Bonds that soften no longer hold it: on through states that are not stable, held so that cracks go one by one.
+void Equilibrium::give_way(EquilibriumSearch& search) {
+  search.last.singular_block = -1;
+  search.jumped = true;
+  for (double& held : hold_) held = std::max(held, giving_hold);
 }
 
 // `whole_way`: faces that have been pressed in the search cohere until it ends. A cohesion that came and went with the

@@ -37,6 +37,8 @@ class Equilibrium {
 
  private:
   bool find(bool stick, double hold, int iterations, EquilibriumSearch& search);
+  void begin();
+  void give_way(EquilibriumSearch& search);
   bool balances_in_place();
   void start_sliding();
   double hold_and_leave(bool stick, const std::vector<BlockState>& moved, double least, bool limited);
