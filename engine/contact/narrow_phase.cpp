@@ -83,11 +83,13 @@ void vertices_on_edges(const NearPair& pair, const Model& model, int bv, int be,
       const double gap = edge.gap(p);
       if (gap > out_of_reach) break;
       if (gap > pair.reach() || gap < pair.deepest()) continue;
-      double s = edge.position(p);
-      if (pair.fast() && gap > 0) {
+      const double at = edge.position(p);
+      const auto met = [&] {
+        if (gap <= 0) return at;
         if (!way) way = pair.way(bv, v, be);
-        s = place_met(edge, gap, s, *way);
-      }
+        return place_met(edge, gap, at, *way);
+      };
+      const double s = pair.fast() ? met() : at;
       const auto still_on = [&] {
         const double turned = 2 * pair.aslant(bv, v, edge.normal) * -gap;
         return pair.within(be, e, s, edge.length, pair.slack(edge.length, -gap) + turned) &&
@@ -96,7 +98,7 @@ void vertices_on_edges(const NearPair& pair, const Model& model, int bv, int be,
       const bool on = pair.within(be, e, s, edge.length) || (gap < 0 && still_on());
       if (!on && (!pair.flush(edge.normal, gap) || !pair.within(be, e, s, edge.length, pair.meeting()))) continue;
       if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) continue;
-      if ((gap > 0 || pair.flush(edge.normal, gap)) && pair.passes_flush(bv, v, be, e, s, edge.length)) continue;
+      if ((gap > 0 || pair.flush(edge.normal, gap)) && pair.passes_flush(bv, v, be, e, met(), edge.length)) continue;
       if (pair.can_rest(bv, v, edge.normal) || (gap > 0 && pair.will_rest(bv, v, edge.normal)))
         candidates.push_back({e, gap, on});
     }
@@ -164,14 +166,15 @@ void corner_on_corner(const NearPair& pair, int v, int w, size_t first, std::vec
     const Face& edge = pair.edge(be, e);
     if (!pair.can_rest(bv, vertex, edge.normal)) return;
     const Vec2 p = pair.vertex(bv, vertex), way = pair.way(bv, vertex, be);
-    const double gap = edge.gap(p), ahead = gap + edge.normal.dot(way), s = edge.position(p);
+    const double gap = edge.gap(p), ahead = gap + edge.normal.dot(way), s = edge.position(p),
+                 met = place_met(edge, gap, s, way);
     if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) return;
     if (!clear(edge, gap, ahead) && (gap > 0 || pair.flush(edge.normal, gap)) &&
-        pair.passes_flush(bv, vertex, be, e, s, edge.length))
+        pair.passes_flush(bv, vertex, be, e, met, edge.length))
       return;
     // Where it comes to the line there is no edge: nothing is met there, and nothing kept apart. Beyond the other end
     // that is for the corner there to say.
-    const double met = place_met(edge, gap, s, way), past = end == End::first ? -met : met - edge.length;
+    const double past = end == End::first ? -met : met - edge.length;
     const double back = edge.along.dot(way) * (end == End::first ? 1 : -1);
     const auto comes_on = [&] { return past < back && pair.slides_on(bv, vertex, be, e); };
     if (ahead < 0 && past > pair.beside() && !comes_on()) return;

@@ -87,7 +87,7 @@ void Supports::add(const Model& model, const Poses& poses, const Scheme& scheme,
       const double w = point.weight, k = point.stiffness;
       system.add_force(shape, point.block,
                        ColumnOf<n>(w * (t.transpose() * (traction + k * gap) - s.transpose() * gap)));
-      if (point.normal != Vec2::Zero()) system.add_rounding(point.block, k * w, pose.shift.norm());
+      system.add_rounding(point.block, k * w, pose.shift.norm());
       system.matrix.add(
           system.matrix.slot(point.block, point.block), false,
           MatrixOf<n>(w * scheme.bond_d * (k * t.transpose() * t - t.transpose() * s - s.transpose() * t)));

@@ -245,12 +245,19 @@ struct Contact {
   // What the contact cannot hold of its sliding is slip: at the end of a step; of a load step, where friction goes by
   // the way from its start, whichever way the search for equilibrium takes (backward Euler), or else of each solve of
   // the search.
+  // What was pressed as a load step began and parts on the way to its end is not forgotten before that: it may press
+  // again.
   void end_sliding() {
+    if (state == ContactState::open) {
+      part();
+      return;
+    }
     const double held = shear_force / shear_stiffness;
     slid = stretch - held;
     slip += slid;
     stretch = held;
   }
+  void part() { slip = slid = stretch = load_slip = load_climb = load_normal = load_shear = 0; }
   // J/m
   double stored() const {
     return normal_force * normal_force / (2 * normal_stiffness) + shear_force * shear_force / (2 * shear_stiffness);

@@ -12,6 +12,7 @@
 #include "step/part_timer.h"
 #include "step/restored.h"
 #include "step/settlement.h"
+#include "step/slid_so_far.h"
 #include "step/update.h"
 
 namespace talus {
@@ -245,6 +246,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   Softening softening;
   Descent descent;
   int past = 0;
+  const std::vector<BlockState> start = search.whole_way ? model_.blocks : std::vector<BlockState>{};
   std::vector<Contact> contacts;  // before the search, which keeps as an offset what it finds deep
   for (int i = 0; i < iterations && report.iterations < search.most_solves; ++i) {
     if (search.jumped && !search.may_jump) return false;
@@ -257,6 +259,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
         limited = true;
         continue;
       }
+      if (search.whole_way && i > 0) slid_so_far(model_, start);
     }
     bridges_.take(softening.share());
     assemble(stick, search.whole_way);

@@ -112,9 +112,7 @@ void OpenClose::store(const ContactRows& row, double factor, const Vector& d, Co
                                                           : ContactState::slip;
   const double slid = slide - contact.stretch;
   contact.stretch = slide;
-  if (contact.state == ContactState::open)
-    contact.slip = contact.slid = contact.stretch = contact.load_slip = contact.load_climb = contact.load_normal =
-        contact.load_shear = 0;
+  if (contact.state == ContactState::open && contact.load_normal == 0) contact.part();
   contact.gap = gap - contact.offset;
   contact.slope = row.climb;
   if (contact.offset > 0) {
