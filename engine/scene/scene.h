@@ -271,7 +271,7 @@ struct TimeControl {
   double dt_max = 0;  // s; 0: no bound but t_end/10
   // of the fastest motion, what errors of steps may add up to over the run; 0: not looked at
   double tolerance = 0;
-  double displacement_ratio = 0.005;  // largest displacement a step / half the scene's height (Model::extent)
+  double displacement_ratio = 0.005;  // largest displacement a step / Model::extent (step/motion_past.h)
   bool settled_start = false;  // dynamic: begin from static equilibrium, with joints that do not slide where friction
                                // cannot hold
   long max_steps = 0;          // 0: no bound

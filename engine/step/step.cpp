@@ -11,6 +11,7 @@
 #include "step/attempt.h"
 #include "step/damping.h"
 #include "step/energies.h"
+#include "step/motion_past.h"
 #include "step/overlooked.h"
 #include "step/part_timer.h"
 #include "step/restitution.h"
@@ -221,6 +222,8 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     if (!course.result.converged) return course;
     lead(scheme, course);
     report.displacement = course.far;
+    if (plan_.contacts && step_size_.bounded_by(course.far))
+      course.far = motion_past(model_, parts_.search.near(), moved_);
     if (step_size_.heeds_turns()) course.turn = largest_turn_of_pressed(model_, moved_);
     course.far = std::max(course.far, step_size_.as_far_as(course.turn));
     if (step_size_.too_far(course.far) || course.crushed >= 0) return course;

@@ -21,6 +21,8 @@ class StepSize {
   double next(double time) const;  // s, never past t_end
   // m, the displacement that bounds an automatic step as turning by `turn` (rad) does.
   double as_far_as(double turn) const { return turn / most_turn * limit_; }
+  // Whether a step in which a block moves so far may not grow as it would.
+  bool bounded_by(double displacement) const { return displacement > (automatic_ ? limit_ : thinnest_) / 2; }
   bool heeds_turns() const { return heeds_turns_; }
   // rad: where all turn by less in a step, the lever of a contact comes and goes with half the square of it. What
   // topples from near its balance has no more energy than that at first; a step that was given, and even more one among

@@ -50,12 +50,13 @@ double bending(const BlockShape& shape, const BlockState& from, const BlockState
 
 }  // namespace
 
-double displacement(const Model& model, int block, const BlockState& to) {
+double displacement(const Model& model, int block, const BlockState& to, const Vec2& with) {
   // A bound that is sharp for translation and for rotation about the centroid.
   const BlockState& from = model.blocks[block];
   const double turn = 2 * std::abs(std::sin((to.angle - from.angle) / 2));
   const BlockShape& shape = model.shapes[block];
-  const double linear = (to.shift - from.shift).norm() + shape.radius * (turn + tensor_norm(to.strain - from.strain));
+  const double linear =
+      (to.shift - from.shift - with).norm() + shape.radius * (turn + tensor_norm(to.strain - from.strain));
   return shape.second_order() ? linear + bending(shape, from, to) : linear;
 }
 

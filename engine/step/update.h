@@ -11,8 +11,8 @@ std::vector<BlockState> moved_blocks(const Model& model, const Scheme& scheme, c
 // Of one.
 void move_block(const Model& model, const Scheme& scheme, const Vector& d, int block, BlockState& moved);
 
-// Displacement of a vertex of the block on the way to `to`, at most, m.
-double displacement(const Model& model, int block, const BlockState& to);
+// Displacement of a vertex of the block on the way to `to`, at most, m; as seen by what moves by `with` meanwhile.
+double displacement(const Model& model, int block, const BlockState& to, const Vec2& with = Vec2::Zero());
 
 // Whether it is squeezed to less than a tenth of its area on that way, further than it is: linear elasticity would turn
 // it inside out.

@@ -476,7 +476,7 @@ function talus.simulation(fields) end
 ---@field dt_min? number s; > 0; least step; below it the run stops with an error
 ---@field dt_max? number s; > 0; largest step
 ---@field tolerance? number in (0, 0.1]; in motion: steps are as long as their estimated error allows, each taken again as two halves (theory, § 2); what the errors of all steps together may come to at t_end, as part of the fastest motion so far. Three solutions a step. Where something jumps, as in an impact, steps become no shorter for it than dt_min, 1e-5 of t_end if that is not given; `sim.totals.inaccurate` counts them
----@field displacement_ratio? number in (0, 0.1]; largest displacement a step / half the height of the scene, along gravity (without it half its least width); where steps are automatic and no bonds can fail, what is pressed also turns by about 0.05 rad a step at most
+---@field displacement_ratio? number in (0, 0.1]; largest displacement a step / half the height of the scene, along gravity (without it half its least width), of what may meet something in it: what flies by itself, or together, may go farther; where steps are automatic and no bonds can fail, what is pressed also turns by about 0.05 rad a step at most
 ---@field start? "rest"|"settled" `rest`: as given; `settled`: from static equilibrium; where friction cannot hold the scene, with joints that do not slide; where it topples even so, at rest as given, with a note
 ---@field max_steps? integer >= 0; most steps
 

@@ -74,7 +74,7 @@ return {
             .. " jumps, as in an impact, steps become no shorter for it than dt_min, 1e-5 of t_end if that is not given;"
             .. " `sim.totals.inaccurate` counts them" },
       { name = "displacement_ratio", type = "number", above = 0, most = 0.1, default = 0.005,
-        doc = "largest displacement a step / half the height of the scene, along gravity (without it half its least width); where steps are automatic and no bonds can fail, what is pressed also turns by about 0.05 rad a step at most", source = "Shi 1988" },
+        doc = "largest displacement a step / half the height of the scene, along gravity (without it half its least width), of what may meet something in it: what flies by itself, or together, may go farther; where steps are automatic and no bonds can fail, what is pressed also turns by about 0.05 rad a step at most", source = "Shi 1988" },
       { name = "start", type = "enum", values = { "rest", "settled" }, default = "rest",
         doc = "`rest`: as given; `settled`: from static equilibrium; where friction cannot hold the scene, with joints that do not slide; where it topples even so, at rest as given, with a note" },
       { name = "max_steps", type = "integer", least = 0, default = 0, default_doc = "no bound",
