@@ -81,7 +81,7 @@ class StepSize {
   double worth_;             // factors, from which on a longer step does not pay
   double growth_;            // of a step that went well
   double short_enough_ = 0;  // s, not shortened for what it takes
-  bool heeds_splits_ = true, heeds_turns_;
+  bool heeds_effort_, heeds_splits_ = true, heeds_turns_;
   double straight_;   // rad
   int cautious_ = 0;  // steps still to be grown slowly
   bool regrets_help_ = true;
