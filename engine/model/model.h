@@ -387,7 +387,7 @@ class Model {
   std::vector<double> gas_pressure;  // Pa, mean over the step, per chamber
   std::vector<ProbePoint> probes;
   LoadWay load_way;
-  Peak highest;   // m, of a centroid above its place at the start; in motion
+  Peak highest;   // m, of a centroid above its place at the start, against gravity; in motion
   Peak strained;  // largest principal strain, by its size (of second-order blocks the mean)
   Nodes nodes;
   std::vector<int> fragment;     // per block: which connected set of intact joints it belongs to

@@ -147,11 +147,10 @@ std::string Equilibrium::settle() {
   bool slid = false;
   if (!settles(true, 0, equilibrium_iterations, stuck)) {
     if (stuck.last.singular_block >= 0)
-      return "no settled start: nothing holds " + block_name(model_, stuck.last.singular_block) +
-             "; the run starts at rest as given";
+      return "no settled start: " + unheld(stuck.last.singular_block) + "; the run starts at rest as given";
     slid = plan_.contacts && stuck.left < 0 && balances_in_place();
     if (!slid)
-      return "no settled start: even with joints that do not slide, " + culprit(stuck) +
+      return "no settled start: even with joints that do not slide, " + block_name(model_, culprit(stuck)) +
              (stuck.left >= 0 ? " topples or falls" : " keeps moving") + "; the run starts at rest as given";
   }
   // Sticking contacts may carry more shear than friction allows. Where the scene stands with friction too, it
@@ -394,26 +393,40 @@ bool Equilibrium::goes_past(const std::vector<BlockState>& moved, const Vector& 
   return true;
 }
 
+bool Equilibrium::supported(int block) const {
+  const auto of_its_body = [&](const auto& fixity) {
+    return model_.fragment[size_t(fixity.block)] == model_.fragment[size_t(block)];
+  };
+  return std::ranges::any_of(model_.point_fixities, of_its_body) ||
+         std::ranges::any_of(model_.edge_fixities, of_its_body);
+}
+
+std::string Equilibrium::unheld(int block) const {
+  return supported(block) ? "its supports let " + block_name(model_, block) + " turn or slide freely"
+                          : "nothing holds " + block_name(model_, block);
+}
+
 void Equilibrium::give_up(const EquilibriumSearch& search) const {
   if (search.last.singular_block >= 0)
-    throw RunError("nothing holds " + block_name(model_, search.last.singular_block) +
-                   ": fix it, put it on something, or run the scene as dynamic");
+    throw RunError(unheld(search.last.singular_block) + ": fix it, put it on something, or run the scene as dynamic");
   const bool loose = !plan_.held_blocks && !plan_.fixities && !plan_.viscous;
   const std::string held = loose ? ". Nothing in the scene is held: give its base held = true, or a talus.fix" : "";
   if (search.left >= 0)
     throw RunError("no equilibrium at " + load_text(model_) + ": on the way to one " + block_name(model_, search.left) +
                    " topples or falls: hold it, or run the scene as dynamic" + held);
   const std::string alternating = search.alternation.text(model_);
-  throw RunError("no equilibrium at " + load_text(model_) + ": " + culprit(search) + " keeps moving. " +
+  const int block = culprit(search);
+  throw RunError("no equilibrium at " + load_text(model_) + ": " + block_name(model_, block) + " keeps moving. " +
                  (!alternating.empty()
                       ? "In " + std::to_string(search.report.iterations) + " solves " + alternating
-                      : "Nothing holds it, or it slides: fix it, raise the friction, or run the scene as dynamic") +
+                      : std::string(supported(block) ? "Its supports let it turn" : "Nothing holds it") +
+                            ", or it slides: fix it, raise the friction, or run the scene as dynamic") +
                  held);
 }
 
-std::string Equilibrium::culprit(const EquilibriumSearch& search) const {
-  if (search.left >= 0) return block_name(model_, search.left);
-  if (!search.last.converged) return block_name(model_, std::max(search.last.worst_block, 0));
+int Equilibrium::culprit(const EquilibriumSearch& search) const {
+  if (search.left >= 0) return search.left;
+  if (!search.last.converged) return std::max(search.last.worst_block, 0);
   int fastest = 0;
   double most = -1;
   for (size_t b = 0; b < model_.shapes.size(); ++b) {
@@ -425,7 +438,7 @@ std::string Equilibrium::culprit(const EquilibriumSearch& search) const {
       fastest = int(b);
     }
   }
-  return block_name(model_, fastest);
+  return fastest;
 }
 
 }  // namespace talus

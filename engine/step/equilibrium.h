@@ -33,7 +33,9 @@ class Equilibrium {
   // Whether there is one under the present loads; the model is at it then, and anywhere where there is none.
   bool balance(EquilibriumSearch& search);
   [[noreturn]] void give_up(const EquilibriumSearch& search) const;
-  std::string culprit(const EquilibriumSearch& search) const;  // the block that is named when there is no equilibrium
+  bool supported(int block) const;  // or its body
+  std::string unheld(int block) const;
+  int culprit(const EquilibriumSearch& search) const;  // the block that is named when there is no equilibrium
 
  private:
   bool find(bool stick, double hold, int iterations, EquilibriumSearch& search);

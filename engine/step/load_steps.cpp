@@ -298,7 +298,7 @@ StepReport LoadSteps::break_bonds(const std::vector<int>& due) {
 }
 
 StepReport LoadSteps::collapse(const EquilibriumSearch& search) {
-  collapse_ = equilibrium_.culprit(search) + " keeps moving";
+  collapse_ = block_name(model_, equilibrium_.culprit(search)) + " keeps moving";
   const std::string alternating = search.alternation.text(model_);
   if (!alternating.empty()) collapse_ += "; " + alternating;
   StepReport report;

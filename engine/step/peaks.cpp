@@ -28,10 +28,11 @@ void keep_peak_velocities(Model& model) {
 bool keep_peaks(Model& model, bool in_motion) {
   const bool small = model.strained.value <= small_strain;
   if (in_motion) keep_peak_velocities(model);
+  const Vec2 up = model.scene.gravity.isZero() ? Vec2(0, 1) : Vec2(-model.scene.gravity.normalized());
   for (const int b : model.awake_blocks()) {  // once, as of many blocks the states are more than caches hold
     const BlockState& state = model.blocks[b];
     const int dofs = model.shapes[b].dofs;
-    if (in_motion && dofs > 0) raise(model.highest, b, state.shift.y(), model.time);
+    if (in_motion && dofs > 0) raise(model.highest, b, state.shift.dot(up), model.time);
     if (dofs > rigid_dofs && state.strain.lpNorm<1>() > model.strained.value)
       raise(model.strained, b, largest_principal(state.strain), model.time);
   }

@@ -32,7 +32,7 @@ return {
         .. " all in `tension` and `shear` (m)" },
     { "sim.fragments", "what hangs together by intact bonds: { {blocks (how many), first (block), region, held (whether it is at a support"
         .. " or viscous edge), area, mass, size, x, y, ux, uy, vx, vy}, … }; size: diameter of the disc of its area (m)" },
-    { "sim.highest", "in motion: {block, rise, time}, the highest that the centroid of any block has risen above its place at the start"
+    { "sim.highest", "in motion: {block, rise, time}, the highest that the centroid of any block has risen above its place at the start, against gravity (along y without)"
         .. " (m, s); nil where none has" },
     { "sim.strained", "{block, strain, time}, the largest principal strain of any block so far, by its size (of second-order blocks their mean); nil where none has"
         .. " strained. Linear elasticity is for small ones: beyond 0.1 a note says so" },
