@@ -175,7 +175,7 @@ Stepper::Start Stepper::begin(const Scheme& scheme, Attempt& attempt, bool regre
   const auto moves = [this](int b) { return !stands_still(model_, b); };
   if (other ? plan_.contacts || plan_.gravity
             : regretted || (ledger_.unpaid > 0 && std::ranges::any_of(model_.awake_blocks(), moves)))
-    start = {parts_.energies(), other && !first && plan_.contacts && !parts_.fracture};
+    start = {parts_.energies(), other && !first && plan_.contacts && (!parts_.fracture || step_size_.quiet())};
   if (other) {
     attempt.keep_places();
     change_step(scheme.bond_ahead);
@@ -257,7 +257,7 @@ void Stepper::rewound() {
   half_done_ = false;
   moved_of_ = -1;
   parts_.rewound();
-  if (plan_.fracture) step_size_.broken(model_);
+  if (plan_.fracture) step_size_.restored(model_);
 }
 
 void Stepper::assemble(const Scheme& scheme) {

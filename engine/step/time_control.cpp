@@ -106,6 +106,11 @@ void StepSize::among_cracks() {
 }
 
 void StepSize::broken(const Model& model) {
+  since_broken_ = 0;
+  restored(model);
+}
+
+void StepSize::restored(const Model& model) {
   if (!automatic_) thinnest_ = thinnest_thing(model);
 }
 
@@ -126,6 +131,7 @@ void StepSize::cut(double dt, double displacement) {
 }
 
 void StepSize::accepted(double dt, const Motion& motion, double effort, double split_anew) {
+  since_broken_ = std::min(since_broken_ + 1, quiet_steps);
   if (dt < 0.5 * dt_) return;  // a short last step says nothing
   if (!heeds_effort_) effort = split_anew = 0;
   const bool split = heeds_splits_ && split_anew > part_split,

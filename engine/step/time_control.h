@@ -17,6 +17,9 @@ class StepSize {
   // s, a wave's way through a block: shorter steps are not easier to solve.
   void short_enough(double transit) { short_enough_ = transit; }
   void broken(const Model& model);  // bonds have failed
+  void restored(const Model& model);
+  // Whether no bond has failed for so long that contacts come and go no more than in rubble.
+  bool quiet() const { return since_broken_ >= quiet_steps; }
 
   double next(double time) const;  // s, never past t_end
   // m, the displacement that bounds an automatic step as turning by `turn` (rad) does.
@@ -66,6 +69,7 @@ class StepSize {
     visitor("cautious", cautious_);
     visitor("regrets_help", regrets_help_);
     visitor("since_split", since_split_);
+    visitor("since_broken", since_broken_);
     dt_ = std::min(dt_, most_);
   }
 
@@ -86,6 +90,8 @@ class StepSize {
   int cautious_ = 0;  // steps still to be grown slowly
   bool regrets_help_ = true;
   int since_split_;  // steps since one that accepted() was told of with split_anew
+  static constexpr int quiet_steps = 10;
+  int since_broken_ = 0;  // steps since bonds have failed
   double every_;     // s, between outputs, which an automatic step does not pass; 0: none
 };
 
