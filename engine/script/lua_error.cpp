@@ -28,6 +28,26 @@ int error_concat(lua_State* L) {
   return 1;
 }
 
+int string_method(lua_State* L) {
+  luaL_tolstring(L, 1, nullptr);
+  lua_replace(L, 1);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  return lua_gettop(L);
+}
+
+// error:find("text") and its like, too.
+int error_index(lua_State* L) {
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+  lua_getfield(L, -1, LUA_STRLIBNAME);
+  if (!lua_istable(L, -1)) return 0;
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, -2) != LUA_TFUNCTION) return 0;
+  lua_pushcclosure(L, string_method, 1);
+  return 1;
+}
+
 bool is_error_object(lua_State* L, int index) {
   if (!lua_istable(L, index) || !lua_getmetatable(L, index)) return false;
   luaL_getmetatable(L, error_metatable);
@@ -103,6 +123,8 @@ void open_errors(lua_State* L, const std::string& library) {
   lua_setfield(L, -2, "__tostring");
   lua_pushcfunction(L, error_concat);
   lua_setfield(L, -2, "__concat");
+  lua_pushcfunction(L, error_index);
+  lua_setfield(L, -2, "__index");
   lua_pop(L, 1);
 }
 
@@ -126,12 +148,14 @@ ScriptError pop_error(lua_State* L) {
   ErrorKind kind = ErrorKind::input;
   const bool is_object = is_error_object(L, -1);
   if (is_object) {
-    lua_getfield(L, -1, "kind");
+    lua_pushliteral(L, "kind");
+    lua_rawget(L, -2);
     const std::string_view name = lua_isstring(L, -1) ? lua_tostring(L, -1) : "";
     const auto found = std::find(kind_names.begin(), kind_names.end(), name);
     if (found != kind_names.end()) kind = static_cast<ErrorKind>(found - kind_names.begin());
     lua_pop(L, 1);
-    lua_getfield(L, -1, "message");
+    lua_pushliteral(L, "message");
+    lua_rawget(L, -2);
   }
   const char* text = lua_tostring(L, -1);
   const std::string message = text ? text : std::string("an error without a text: a ") + luaL_typename(L, -1);
