@@ -92,7 +92,7 @@ class StepSize {
   int since_split_;  // steps since one that accepted() was told of with split_anew
   static constexpr int quiet_steps = 10;
   int since_broken_ = 0;  // steps since bonds have failed
-  double every_;     // s, between outputs, which an automatic step does not pass; 0: none
+  double every_;          // s, between outputs, which an automatic step does not pass; 0: none
 };
 
 }  // namespace talus
