@@ -98,7 +98,9 @@ void vertices_on_edges(const NearPair& pair, const Model& model, int bv, int be,
       const bool on = pair.within(be, e, s, edge.length) || (gap < 0 && still_on());
       if (!on && (!pair.flush(edge.normal, gap) || !pair.within(be, e, s, edge.length, pair.meeting()))) continue;
       if (gap < -pair.meeting() && pair.behind(be, e, edge, p)) continue;
-      if ((gap > 0 || pair.flush(edge.normal, gap)) && pair.passes_flush(bv, v, be, e, met(), edge.length)) continue;
+      if ((gap > 0 || pair.flush(edge.normal, gap)) &&
+          pair.passes_flush(bv, v, be, e, pair.fast() ? s : met(), edge.length))
+        continue;
       if (pair.can_rest(bv, v, edge.normal) || (gap > 0 && pair.will_rest(bv, v, edge.normal)))
         candidates.push_back({e, gap, on});
     }

@@ -245,8 +245,6 @@ struct Contact {
   // What the contact cannot hold of its sliding is slip: at the end of a step; of a load step, where friction goes by
   // the way from its start, whichever way the search for equilibrium takes (backward Euler), or else of each solve of
   // the search.
-  // What was pressed as a load step began and parts on the way to its end is not forgotten before that: it may press
-  // again.
   void end_sliding() {
     if (state == ContactState::open) {
       part();

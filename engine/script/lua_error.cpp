@@ -39,9 +39,8 @@ int string_method(lua_State* L) {
 
 // error:find("text") and its like, too.
 int error_index(lua_State* L) {
-  luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
-  lua_getfield(L, -1, LUA_STRLIBNAME);
-  if (!lua_istable(L, -1)) return 0;
+  lua_pushliteral(L, "");
+  luaL_getmetafield(L, -1, "__index");
   lua_pushvalue(L, 2);
   if (lua_rawget(L, -2) != LUA_TFUNCTION) return 0;
   lua_pushcclosure(L, string_method, 1);

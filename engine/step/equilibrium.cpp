@@ -7,6 +7,7 @@
 
 #include "equations/block_terms.h"
 #include "equations/viscous_terms.h"
+#include "fracture/cracks.h"
 #include "step/load_path.h"
 #include "step/overlooked.h"
 #include "step/part_timer.h"
@@ -240,12 +241,12 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
   std::optional<Settlement> settlement;
   if (search.in_place && plan_.contacts) settlement.emplace(model_);
   const BridgeSearch bridged(bridges_);
+  const std::vector<BlockState> start = search.whole_way ? model_.blocks : std::vector<BlockState>{};
   begin();
   hold_.assign(model_.shapes.size(), std::max(hold, least));
   Softening softening;
   Descent descent;
   int past = 0;
-  const std::vector<BlockState> start = search.whole_way ? model_.blocks : std::vector<BlockState>{};
   std::vector<Contact> contacts;  // before the search, which keeps as an offset what it finds deep
   for (int i = 0; i < iterations && report.iterations < search.most_solves; ++i) {
     if (search.jumped && !search.may_jump) return false;
@@ -258,7 +259,7 @@ bool Equilibrium::find(bool stick, double hold, int iterations, EquilibriumSearc
         limited = true;
         continue;
       }
-      if (search.whole_way && i > 0) slid_so_far(model_, start);
+      if (search.whole_way) slid_so_far(model_, start);
     }
     bridges_.take(softening.share());
     assemble(stick, search.whole_way);
@@ -394,11 +395,7 @@ bool Equilibrium::goes_past(const std::vector<BlockState>& moved, const Vector& 
 }
 
 bool Equilibrium::supported(int block) const {
-  const auto of_its_body = [&](const auto& fixity) {
-    return model_.fragment[size_t(fixity.block)] == model_.fragment[size_t(block)];
-  };
-  return std::ranges::any_of(model_.point_fixities, of_its_body) ||
-         std::ranges::any_of(model_.edge_fixities, of_its_body);
+  return fragments(model_)[size_t(model_.fragment[size_t(block)])].held;
 }
 
 std::string Equilibrium::unheld(int block) const {
@@ -417,10 +414,10 @@ void Equilibrium::give_up(const EquilibriumSearch& search) const {
   const std::string alternating = search.alternation.text(model_);
   const int block = culprit(search);
   throw RunError("no equilibrium at " + load_text(model_) + ": " + block_name(model_, block) + " keeps moving. " +
-                 (!alternating.empty()
-                      ? "In " + std::to_string(search.report.iterations) + " solves " + alternating
-                      : std::string(supported(block) ? "Its supports let it turn" : "Nothing holds it") +
-                            ", or it slides: fix it, raise the friction, or run the scene as dynamic") +
+                 (!alternating.empty() ? "In " + std::to_string(search.report.iterations) + " solves " + alternating
+                                       : std::string(supported(block) ? "Its supports let it turn or slide"
+                                                                      : "Nothing holds it, or it slides") +
+                                             ": fix it, raise the friction, or run the scene as dynamic") +
                  held);
 }
 

@@ -1,6 +1,8 @@
 #include "step/motion_past.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "model/disjoint_sets.h"
 #include "step/islands.h"
@@ -19,10 +21,23 @@ struct Group {
 
 }  // namespace
 
+bool flies_exactly(const Scene& scene, double time) {
+  const Numerics& numerics = scene.numerics;
+  if (numerics.damping || (numerics.integrator == Integrator::newmark && numerics.dynamic_parameter < 1)) return false;
+  const auto steady = [time](const std::array<History, 2>& of) {
+    return std::ranges::none_of(of, [time](const History& history) {
+      return history.is_function() || history.next_bend(time) < std::numeric_limits<double>::infinity();
+    });
+  };
+  return std::ranges::all_of(scene.point_loads, steady, &PointLoad::force) &&
+         std::ranges::all_of(scene.edge_loads, steady, &EdgeLoad::traction) &&
+         std::ranges::all_of(scene.regions, steady, &Region::body_force);
+}
+
 double motion_past(const Model& model, const std::vector<std::pair<int, int>>& near,
                    const std::vector<BlockState>& moved) {
   DisjointSets sets(model.shapes.size());
-  const auto free = [&](int block) { return model.shapes[size_t(block)].dofs > 0 && !model.sleeps(block); };
+  const auto free = [&](int block) { return model.shapes[size_t(block)].dofs > 0; };
   std::vector<char> stays(model.shapes.size(), 0);
   const auto hang_together = [&](int a, int b) {
     if (free(a) && free(b))

@@ -112,6 +112,7 @@ void OpenClose::store(const ContactRows& row, double factor, const Vector& d, Co
                                                           : ContactState::slip;
   const double slid = slide - contact.stretch;
   contact.stretch = slide;
+  // What was pressed as a load step began, or has taken over from that, may press again before its end.
   if (contact.state == ContactState::open && contact.load_normal == 0) contact.part();
   contact.gap = gap - contact.offset;
   contact.slope = row.climb;

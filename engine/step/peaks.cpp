@@ -1,5 +1,6 @@
 #include "step/peaks.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace talus {
@@ -23,16 +24,29 @@ void keep_peak_velocities(Model& model) {
   }
 }
 
+// What flies and has turned round in the step was higher in it, which may be long: by its fall since.
+void keep_rise(Model& model, int block, double dt) {
+  const double g = model.scene.gravity.norm();
+  const Vec2 up = g > 0 ? Vec2(-model.scene.gravity / g) : Vec2(0, 1);
+  const BlockState& state = model.blocks[block];
+  const double rise = state.shift.dot(up), falls = -up.dot(Vec2(state.velocity[0], state.velocity[1]));
+  if (falls > 0 && falls < g * dt && rise + falls * falls / (2 * g) > model.highest.value) {
+    const auto pressed = [block](const Contact& c) { return (c.i == block || c.j == block) && c.normal_force > 0; };
+    if (std::ranges::none_of(model.awake_contacts(), pressed))
+      raise(model.highest, block, rise + falls * falls / (2 * g), model.time - falls / g);
+  }
+  raise(model.highest, block, rise, model.time);
+}
+
 }  // namespace
 
-bool keep_peaks(Model& model, bool in_motion) {
+bool keep_peaks(Model& model, double dt) {
   const bool small = model.strained.value <= small_strain;
-  if (in_motion) keep_peak_velocities(model);
-  const Vec2 up = model.scene.gravity.isZero() ? Vec2(0, 1) : Vec2(-model.scene.gravity.normalized());
+  if (dt > 0) keep_peak_velocities(model);
   for (const int b : model.awake_blocks()) {  // once, as of many blocks the states are more than caches hold
     const BlockState& state = model.blocks[b];
     const int dofs = model.shapes[b].dofs;
-    if (in_motion && dofs > 0) raise(model.highest, b, state.shift.dot(up), model.time);
+    if (dt > 0 && dofs > 0) keep_rise(model, b, dt);
     if (dofs > rigid_dofs && state.strain.lpNorm<1>() > model.strained.value)
       raise(model.strained, b, largest_principal(state.strain), model.time);
   }

@@ -8,7 +8,8 @@ namespace talus {
 // Stress goes with strain, and the energy of a block that turns is right, as far as their squares do not matter.
 constexpr double small_strain = 0.1;
 
-// After each accepted step. Whether a strain has passed small_strain for the first time.
-bool keep_peaks(Model& model, bool in_motion);
+// After each accepted step of `dt` (s; 0: of a static run). Whether a strain has passed small_strain for the first
+// time.
+bool keep_peaks(Model& model, double dt);
 
 }  // namespace talus

@@ -71,7 +71,7 @@ void Simulation::take_step() {
   totals.largest_residual = std::max(totals.largest_residual, last.residual);
   last.step = totals.steps;
   last.time = model.time;
-  if (keep_peaks(model, plan.dynamic)) notes.push_back(strain_note());
+  if (keep_peaks(model, plan.dynamic ? last.dt : 0)) notes.push_back(strain_note());
   last.closed_contacts = parts_->closed_contacts();
   totals.end_step(totals.steps == 1 || finished());
 }

@@ -222,7 +222,7 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     if (!course.result.converged) return course;
     lead(scheme, course);
     report.displacement = course.far;
-    if (plan_.contacts && step_size_.bounded_by(course.far))
+    if (plan_.contacts && step_size_.bounded_by(course.far) && flies_exactly(model_.scene, model_.time))
       course.far = motion_past(model_, parts_.search.near(), moved_);
     if (step_size_.heeds_turns()) course.turn = largest_turn_of_pressed(model_, moved_);
     course.far = std::max(course.far, step_size_.as_far_as(course.turn));

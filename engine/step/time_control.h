@@ -89,10 +89,10 @@ class StepSize {
   double straight_;   // rad
   int cautious_ = 0;  // steps still to be grown slowly
   bool regrets_help_ = true;
-  int since_split_;  // steps since one that accepted() was told of with split_anew
-  static constexpr int quiet_steps = 10;
-  int since_broken_ = 0;  // steps since bonds have failed
-  double every_;          // s, between outputs, which an automatic step does not pass; 0: none
+  int since_split_;                       // steps since one that accepted() was told of with split_anew
+  static constexpr int quiet_steps = 10;  // what a bond lets go of has struck or left its neighbours by then
+  int since_broken_ = 0;                  // steps since bonds have failed, or the first
+  double every_;                          // s, between outputs, which an automatic step does not pass; 0: none
 };
 
 }  // namespace talus

@@ -16,11 +16,14 @@ local function drawn(label, p)
   floor[#floor + 1] = rect(from, -0.6, 8, 0)
   local rock = talus.material { density = 2500, young = 1e10, poisson = 0.2 }
   local on = p.on == "side" and "right" or talus.point(0, (p.y or 0.05)*size)
+  local way = { { {0, 0}, {1, p.way*size} }, 0 }
+  local back = { { {0, 0}, {1, -p.way*size} }, 0 }
   local sim = talus.simulation {
     gravity = {0, -tools.g}, contact = talus.joint { friction = math.atan(mu) },
     regions = { talus.region { name = "floor", blocks = floor, material = rock, held = true },
                 talus.region { name = "block", outline = talus.polygon(rect(-1, 0, 0, height)), material = rock, order = p.order } },
-    fix = { talus.fix { name = "pull", region = "block", on = on, x = true, displacement = { { {0, 0}, {1, p.way*size} }, 0 } } },
+    fix = { talus.fix { name = "pull", region = "block", on = on, x = true, displacement = not p.from_under and way or nil },
+            p.from_under and talus.fix { region = "floor", displacement = back } or nil },
     time = { mode = "static", t_end = 1, steps = p.steps or 20 },
   }
   local weight, worst = 2500*tools.g*height*size^2, 0
@@ -40,6 +43,8 @@ for _, order in ipairs { 1, 2, "rigid" } do
     drawn("over joints", { order = order, way = way, joints = joints, steps = 50 })
   end
   drawn("drawn by a point, friction 0.6", { order = order, way = 2, mu = 0.6, steps = 200 })
+  drawn("floor drawn from under it", { order = order, way = 0.1, from_under = true })
+  drawn("jointed floor drawn from under it", { order = order, way = 0.5, from_under = true, joints = joints, steps = 50 })
   drawn("drawn by its side", { order = order, way = 0.5, on = "side", joints = joints })
   drawn("of a millimetre, by its side", { order = order, way = 0.5, on = "side", size = 1e-3, within = 5e-3 })  -- 8 ε times the support's stiffness and way: 1e-4 N of 1e-2
 end
