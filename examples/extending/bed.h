@@ -14,8 +14,7 @@ class Bed : public talus::Term {
       if (shape.dofs == 0) continue;  // held
       const talus::Vec2 centroid = shape.reference_centroid + model.origin;
       for (int k = 0; k < model.vertex_count(b); ++k) {
-        const std::array edge = {model.reference_vertex[shape.vertex_begin + k],
-                                 // from the centroid
+        const std::array edge = {model.reference_vertex[shape.vertex_begin + k],  // from the centroid
                                  model.reference_vertex[shape.vertex_begin + model.next_vertex(b, k)]};
         if (!between(centroid + edge[0], from, to) || !between(centroid + edge[1], from, to)) continue;
         for (const talus::GaussPoint& point : talus::gauss_points(shape))
