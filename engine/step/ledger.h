@@ -31,8 +31,8 @@ struct Ledger {
   double viscous_work = 0;    // absorbed by viscous boundaries
   double fracture_work = 0;   // released by bonds that failed, and by static rock that jumps as they do
   double numerical_flow = 0;  // the integrator's loss but for what is read off the state (start_shift)
-  // by which steps of another length have lifted what flies, y, and which is not counted as energy until losses have
-  // paid for it (theory, § 9)
+  // by which steps of another length, and paths that bend, have lifted y, and which is not counted as energy until
+  // losses have paid for it (theory, § 9)
   double unpaid = 0;
   double start_energy = 0;  // kinetic and stored, at y
   double start_shift = 0;   // strain and gravity energy at y less those at X

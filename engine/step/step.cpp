@@ -392,6 +392,8 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
   if (bridge_motion_.any()) ledger_.numerical_flow += bridge_motion_.shift_loss(model_, scheme, d);
   book_motion({model_, parts_.poses, parts_.system, parts_.joints, parts_.supports, scheme, d, moved_}, ledger_);
   if (plan_.fixities) parts_.supports.store(parts_.poses, scheme, d, model_);
+  if (plan_.contacts && scheme.bond_ahead > 0)
+    ledger_.unpaid += std::max(0.0, lift_of_turning(model_, parts_.contacts, scheme, d, moved_, no_turn));
   model_.blocks.swap(moved_);
   model_.vertex.swap(moved_vertex_);
   if (plan_.contacts) {

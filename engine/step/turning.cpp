@@ -11,6 +11,36 @@ double turn(const Model& model, const std::vector<BlockState>& moved, int block)
   return std::abs(moved[size_t(block)].angle - model.blocks[size_t(block)].angle);
 }
 
+double larger_turn(const Model& model, const std::vector<BlockState>& moved, const ContactRows& row) {
+  return std::max(turn(model, moved, row.i), turn(model, moved, row.j));
+}
+
+double pressed_in(const ContactTerms& contacts, const ContactRows& row, const Vector& d) {  // m
+  return -(row.gap0 + contacts.factor() * row.along(row.normal_i, row.normal_j, d));
+}
+
+// A contact's corner and the ends of its edge.
+struct Meeting {
+  Vec2 at, from, to;
+
+  Vec2 along() const { return (to - from).normalized(); }
+  double gap() const { return cross(at - from, along()); }
+};
+
+Meeting before(const Model& model, const Contact& c) {
+  const int end = model.shapes[size_t(c.j)].vertex_begin + model.next_vertex(c.j, c.edge);
+  return {model.vertex[size_t(c.global_vertex)], model.vertex[size_t(c.global_edge)], model.vertex[size_t(end)]};
+}
+
+Meeting after(const Model& model, const std::vector<BlockState>& moved, const Contact& c) {
+  const auto place = [&](int block, int vertex) {
+    const BlockState& state = moved[size_t(block)];
+    return model.vertex_at(block, state, Rotation::of(state.angle), vertex);
+  };
+  const int end = model.shapes[size_t(c.j)].vertex_begin + model.next_vertex(c.j, c.edge);
+  return {place(c.i, c.global_vertex), place(c.j, c.global_edge), place(c.j, end)};
+}
+
 }  // namespace
 
 double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>& moved) {
@@ -23,24 +53,14 @@ double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>
 
 TurningWork work_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
                             const std::vector<BlockState>& moved, double least, double straight) {
-  const auto gap = [](const Vec2& at, const Vec2& from, const Vec2& to) {
-    return cross(at - from, (to - from).normalized());
-  };
-  const auto after = [&](int block, int vertex) {
-    const BlockState& state = moved[size_t(block)];
-    return model.vertex_at(block, state, Rotation::of(state.angle), vertex);
-  };
   TurningWork sum;
   for (const ContactRows& row : contacts.rows()) {
-    const double turned = std::max(turn(model, moved, row.i), turn(model, moved, row.j));
+    const double turned = larger_turn(model, moved, row);
     if (turned <= least) continue;
-    const double pressed = -(row.gap0 + contacts.factor() * row.along(row.normal_i, row.normal_j, d));
+    const double pressed = pressed_in(contacts, row, d);
     if (pressed <= 0) continue;
     const Contact& c = model.contacts[size_t(row.contact)];
-    const int at = c.global_vertex, from = c.global_edge,
-              to = model.shapes[size_t(c.j)].vertex_begin + model.next_vertex(c.j, c.edge);
-    const double change = gap(after(c.i, at), after(c.j, from), after(c.j, to)) -
-                          gap(model.vertex[size_t(at)], model.vertex[size_t(from)], model.vertex[size_t(to)]);
+    const double change = after(model, moved, c).gap() - before(model, c).gap();
     const auto velocity = [&](int block, const Row& normal) {
       const int dofs = model.shapes[size_t(block)].dofs;
       return dot(normal, model.blocks[size_t(block)].velocity.data(), dofs > 0 ? dofs : rigid_dofs);
@@ -52,6 +72,30 @@ TurningWork work_of_turning(const Model& model, const ContactTerms& contacts, co
     if (turned > straight) sum.of_turns += work;
   }
   return sum;
+}
+
+double lift_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
+                       const std::vector<BlockState>& moved, double least) {
+  // m/s at which the blocks part by the mean of the step's rates, were they where `blocks` has them and as rigid.
+  const auto parting = [&](const Contact& c, const Meeting& meeting, const std::vector<BlockState>& blocks) {
+    const Vec2 along = meeting.along(), normal = -perp(along), foot = meeting.at - meeting.gap() * normal;
+    const auto speed = [&](int block, const Vec2& point) {
+      const Rates &first = model.blocks[size_t(block)].velocity, &last = moved[size_t(block)].velocity;
+      const auto mean = [&](int k) { return (first[k] + last[k]) / 2; };
+      const double spin = mean(2) / model.shapes[size_t(block)].length;
+      return normal.dot(Vec2(mean(0), mean(1)) + spin * perp(point - blocks[size_t(block)].centroid));
+    };
+    return speed(c.i, meeting.at) - speed(c.j, foot);
+  };
+  double sum = 0;
+  for (const ContactRows& row : contacts.rows()) {
+    if (larger_turn(model, moved, row) <= least) continue;
+    const double pressed = pressed_in(contacts, row, d);
+    if (pressed <= 0) continue;
+    const Contact& c = model.contacts[size_t(row.contact)];
+    sum -= row.kn * pressed * (parting(c, after(model, moved, c), moved) - parting(c, before(model, c), model.blocks));
+  }
+  return scheme.bond_ahead * sum;
 }
 
 }  // namespace talus

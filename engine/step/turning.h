@@ -21,4 +21,9 @@ struct TurningWork {
 TurningWork work_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
                             const std::vector<BlockState>& moved, double least, double straight);
 
+// J/m, by which the step lifts y beyond what the forces that solve it give: y = X + ahead·v lies on the tangent of a
+// path that bends as what presses turns, ahead Σ N Δn·v (theory, § 9). Of contacts as above, n with its levers.
+double lift_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
+                       const std::vector<BlockState>& moved, double least);
+
 }  // namespace talus
