@@ -1,14 +1,39 @@
 // What is said where no step can be accepted.
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "step/step.h"
 
 namespace talus {
 
-void Stepper::give_up(const OpenCloseResult& result, double dt, int crushed) const {
-  char text[400];
-  if (crushed >= 0) {
+namespace {
+
+constexpr int most_contacts = 4;  // that a message lists
+
+// Corners and sides from 1 on, as a block's `vertices` in Lua; forces are those that the last step ended with.
+std::string contacts_of(const Model& model, int block, bool open) {
+  std::string text;
+  int count = 0;
+  for (const Contact& c : model.contacts) {
+    if ((c.i != block && c.j != block) || (c.state == ContactState::open) != open || ++count > most_contacts) continue;
+    char forces[100];
+    std::snprintf(forces, sizeof forces, " %s under %.3g N/m across and %.3g N/m along it",
+                  c.state == ContactState::stick ? "sticks" : "slips", c.normal_force, c.shear_force);
+    text += "; corner " + std::to_string(c.vertex + 1) + " of " + block_name(model, c.i) + " on side " +
+            std::to_string(c.edge + 1) + " of " + block_name(model, c.j) + (open ? " is open" : forces);
+  }
+  if (count == 0) return open ? "; it has no contacts" : contacts_of(model, block, true);
+  if (count > most_contacts) text += "; and " + std::to_string(count - most_contacts) + " more";
+  return "; as the step began" + text.substr(1);
+}
+
+}  // namespace
+
+void Stepper::give_up(const Course& course, double dt) const {
+  const IslandResult& result = course.result;
+  char text[600];
+  if (const int crushed = course.crushed; crushed >= 0) {
     std::snprintf(
         text, sizeof text,
         "t = %.9g s: %s would be squeezed to less than a tenth of its area: a pressure, load or speed of the scene is beyond what "
@@ -21,6 +46,14 @@ void Stepper::give_up(const OpenCloseResult& result, double dt, int crushed) con
         text, sizeof text,
         "t = %.9g s: no step down to %.3g s has a solution: the inertia of %s is lost beside its stiffness; give a shorter time.dt",
         model_.time, dt, block_name(model_, result.singular_block).c_str());
+    throw RunError(text);
+  }
+  if (result.converged && course.past) {
+    std::snprintf(text, sizeof text,
+                  "t = %.9g s: in a step of %.3g s %s and %s come to lie in each other, or press, where none of their "
+                  "contacts expected it, and time.dt_min lets none be shorter: give a smaller one",
+                  model_.time, dt, block_name(model_, course.past->first).c_str(),
+                  block_name(model_, course.past->second).c_str());
     throw RunError(text);
   }
   if (result.converged) {
@@ -64,11 +97,7 @@ void Stepper::give_up(const OpenCloseResult& result, double dt, int crushed) con
       "t = %.9g s: no step down to %.3g s is accepted: after %d iterations the contact forces on %s are out of "
       "balance by %.3g of what meets there",
       model_.time, dt, result.iterations, block_name(model_, std::max(result.worst_block, 0)).c_str(), result.residual);
-  std::string message = text;
-  for (const Contact& c : model_.contacts)
-    if ((c.i == result.worst_block || c.j == result.worst_block) && message.size() < 900)
-      message += "; it touches " + block_name(model_, c.i == result.worst_block ? c.j : c.i);
-  throw RunError(message);
+  throw RunError(text + contacts_of(model_, result.worst_block, false));
 }
 
 }  // namespace talus

@@ -44,7 +44,7 @@ class Hindsight {
   }
   bool any() const { return !pairs_.empty(); }
 
-  bool presses_apart(const ContactTerms& contacts, const Vector& d) {
+  std::optional<BlockPair> presses_apart(const ContactTerms& contacts, const Vector& d) {
     const auto pressed_in = [&](const ContactRows& row) {
       return -(row.gap0 + contacts.factor() * row.along(row.normal_i, row.normal_j, d));
     };
@@ -60,20 +60,20 @@ class Hindsight {
       known = std::max(known, pressed + contact.offset);
       if (pressed > unfelt * most && contact.normal_force <= 0 && !touches(contact, before) &&
           !touches(contact, judged))
-        return true;
+        return *at;
     }
-    return false;
+    return {};
   }
 
   // After presses_apart().
-  bool overlaps() {
+  std::optional<BlockPair> overlaps() {
     for (size_t k = 0; k < pairs_.size(); ++k) {
       const auto [a, b] = pairs_[k];
       for (const auto& [corners, block] : {BlockPair(a, b), BlockPair(b, a)})
-        if (comes_in(corners, block, known_[k]) || goes_through(corners, block, known_[k])) return true;
-      if (crosses(a, b, known_[k])) return true;
+        if (comes_in(corners, block, known_[k]) || goes_through(corners, block, known_[k])) return pairs_[k];
+      if (crosses(a, b, known_[k])) return pairs_[k];
     }
-    return false;
+    return {};
   }
 
  private:
@@ -305,11 +305,15 @@ class Hindsight {
 
 }  // namespace
 
-bool overlooked(const Model& model, const ContactSearch& search, const ContactTerms& contacts, const Vector& d,
-                const std::vector<BlockState>& moved, double dt, double displacement, double deepest) {
-  if (2 * displacement <= deepest * search.least_length()) return false;
+std::optional<std::pair<int, int>> overlooked(const Model& model, const ContactSearch& search,
+                                              const ContactTerms& contacts, const Vector& d,
+                                              const std::vector<BlockState>& moved, double dt, double displacement,
+                                              double deepest) {
+  if (2 * displacement <= deepest * search.least_length()) return {};
   Hindsight hindsight(model, search, moved, dt, deepest);
-  return hindsight.any() && (hindsight.presses_apart(contacts, d) || hindsight.overlaps());
+  if (!hindsight.any()) return {};
+  const auto apart = hindsight.presses_apart(contacts, d);
+  return apart ? apart : hindsight.overlaps();
 }
 
 }  // namespace talus

@@ -86,12 +86,13 @@ StepReport Stepper::dynamic_step(double most) {
     if (course.woke) continue;
 
     // 6. Not settled, moved too far, or past contacts: everything as it was; again with a smaller step.
-    if (!course.result.converged || step_size_.too_far(course.far) || course.crushed >= 0) {
-      if (step_size_.is_least(dt)) {
-        step_size_ = before;
-        gave_up_ = true;
-        give_up(course.result, dt, course.crushed);
-      }
+    const bool unsettled = !course.result.converged || step_size_.too_far(course.far) || course.crushed >= 0;
+    if ((unsettled || course.past) && step_size_.is_least(dt)) {
+      step_size_ = before;
+      gave_up_ = true;
+      give_up(course, dt);
+    }
+    if (unsettled) {
       step_size_.cut(dt, course.result.converged ? course.far : 0);
       if (!course.result.converged) pressed_ = std::min(100 * pressed_, 1.0);
       count_cut();
@@ -235,8 +236,7 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     // again.
     course.woke = model_.scene.numerics.sleeping && parts_.sleep.struck(model_, moved_, scheme);
     if (course.woke) return course;
-    course.past =
-        plan_.contacts && step_size_.may_halve(scheme.dt) && overlooks(scheme.dt, report.displacement, course.d);
+    if (plan_.contacts) course.past = overlooks(scheme.dt, report.displacement, course.d);
     if (!course.past || !seen.empty()) return course;
     seen = moved_;
   }
@@ -286,7 +286,7 @@ bool Stepper::settled(const Scheme& scheme, const Vector& d) {
   return !bridge_motion_.any() || bridge_motion_.gives_up() || bridge_motion_.agrees(d);
 }
 
-bool Stepper::overlooks(double dt, double displacement, const Vector& d) {
+std::optional<std::pair<int, int>> Stepper::overlooks(double dt, double displacement, const Vector& d) {
   StepTimer timer(totals_, "contact search");
   return overlooked(model_, parts_.search, parts_.contacts, d, moved_, dt, displacement);
 }

@@ -41,15 +41,15 @@ class Stepper {
  private:
   struct Course {  // what an attempt at a step comes to
     IslandResult result;
-    Vector d;                              // m, of the unknowns
-    bool past = false;                     // contacts that it did not have
-    bool woke = false;                     // something that sleeps, by what it throws
-    double far = 0;                        // m, that bounds the step
-    double turn = 0;                       // rad, the largest of what is pressed, where steps heed that
-    double turning_gain = 0;               // what turning leaves of energy, of what it may
-    int crushed = -1;                      // block
-    double released = 0;                   // J/m, by bonds that fail in it, but for what their contacts begin with
-    std::optional<BridgeBooking> bridges;  // where bonds can fail
+    Vector d;                                 // m, of the unknowns
+    std::optional<std::pair<int, int>> past;  // blocks that met where it had no contact
+    bool woke = false;                        // something that sleeps, by what it throws
+    double far = 0;                           // m, that bounds the step
+    double turn = 0;                          // rad, the largest of what is pressed, where steps heed that
+    double turning_gain = 0;                  // what turning leaves of energy, of what it may
+    int crushed = -1;                         // block
+    double released = 0;                      // J/m, by bonds that fail in it, but for what their contacts begin with
+    std::optional<BridgeBooking> bridges;     // where bonds can fail
   };
   Scheme scheme(double dt) const;
   double next_dt() const;
@@ -67,7 +67,7 @@ class Stepper {
   IslandResult solve(const Scheme& scheme, Vector& d);
   bool settled(const Scheme& scheme, const Vector& d);
   void lead(const Scheme& scheme, Course& course);
-  bool overlooks(double dt, double displacement, const Vector& d);
+  std::optional<std::pair<int, int>> overlooks(double dt, double displacement, const Vector& d);
   double turning_gain(const Scheme& scheme, const Course& course);
   double kinetic_energy_moved();  // J/m, of where the step leads
   // J/m, and what moves: all there is
@@ -87,7 +87,7 @@ class Stepper {
   double accept(const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,
                 const std::optional<Energies>& start);
   void change_step(double ahead);
-  [[noreturn]] void give_up(const OpenCloseResult& result, double dt, int crushed) const;  // step/no_step.cpp
+  [[noreturn]] void give_up(const Course& course, double dt) const;  // step/no_step.cpp
 
   StepParts& parts_;
   Model& model_;

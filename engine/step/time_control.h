@@ -35,7 +35,7 @@ class StepSize {
   void cut(double dt, double displacement);  // after an attempt of `dt` that was thrown away
   // An attempt whose contacts were not those that it came to meet is taken again in half of it.
   bool may_halve(double dt) const { return dt / 2 >= least_; }
-  void halve(double dt) { dt_ = dt / 2; }
+  void halve(double dt) { dt_ = std::max(dt / 2, least_); }
   void at_most(double seconds) {  // the next one, where steps are automatic
     if (automatic_) dt_ = std::min(dt_, std::max(seconds, least_));
   }
