@@ -201,22 +201,26 @@ double JointTerms::find_missing(const Model& model, const Poses& poses, const En
   return energy;
 }
 
-double JointTerms::loss_of_turning(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
-                                   const std::vector<BlockState>& moved) const {
+JointTerms::Turning JointTerms::turning(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
+                                        const std::vector<BlockState>& moved) const {
   constexpr double least = 1e-3;  // rad in the step: goes with its sixth power, 1e-18 E for what turns by less
   const auto turns = [&](const Joint& joint) {
     return is_intact(model, joint) && (!missing_.empty() || std::abs(spin_of(model, joint)) * scheme.dt > least);
   };
-  if (std::ranges::none_of(model.joints, turns)) return 0;
+  if (std::ranges::none_of(model.joints, turns)) return {};
   const Ends ends(model, scheme.dt);
-  double sum = 0;
+  const auto bend = [&](int block) { return lift_of_lever(model, scheme, moved, block); };
+  Turning sum;
   for (size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
     if (!turns(joint)) continue;
     const std::array after = {flown(model.shapes[joint.a], moved[joint.a], 0),
                               flown(model.shapes[joint.b], moved[joint.b], 0)};
-    sum += with_size(touches_second_order(joint),
-                     [&](auto n) { return loss_of_bond<n>(model, poses, ends, scheme, int(j), d, after); });
+    const Turning own = with_size(touches_second_order(joint), [&](auto n) {
+      return turning_of_bond<n>(model, poses, ends, scheme, int(j), d, after, {bend(joint.a), bend(joint.b)});
+    });
+    sum.loss += own.loss;
+    sum.lift += own.lift;
   }
   return sum;
 }
@@ -225,8 +229,10 @@ double JointTerms::loss_of_turning(const Model& model, const Poses& poses, const
 // was solved with, its work on the rows' step less what it stores is B(m, (ΔS, T ΔX)) - B(X̄, (ΔS, Δg)), B the form of
 // U. The matrix has B(T w, (ΔS, T ΔX)) of it, as if jumps changed by the rows.
 template <int size>
-double JointTerms::loss_of_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int j,
-                                const Vector& d, const std::array<Pose, 2>& after) const {
+JointTerms::Turning JointTerms::turning_of_bond(const Model& model, const Poses& poses, const Ends& ends,
+                                                const Scheme& scheme, int j, const Vector& d,
+                                                const std::array<Pose, 2>& after,
+                                                const std::array<double, 2>& bends) const {
   const Joint& joint = model.joints[j];
   const Side a = side_of<size>(model, poses.blocks[joint.a], joint.a, joint.normal, joint.weight_a);
   const Side b = side_of<size>(model, poses.blocks[joint.b], joint.b, joint.normal, joint.weight_b);
@@ -238,7 +244,7 @@ double JointTerms::loss_of_bond(const Model& model, const Poses& poses, const En
                        step_b = scheme.step_v * v_b + scheme.move_d * d_b;
   const double w_d = scheme.bond_d - scheme.move_d / 2;
   const Jump<size> jump(model, ends, joint, scheme);
-  double sum = 0;
+  Turning sum;
   for (int k = 0; k < int(joint.points.size()); ++k) {
     const JointPoint& point = joint.points[size_t(k)];
     const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at);
@@ -254,8 +260,10 @@ double JointTerms::loss_of_bond(const Model& model, const Poses& poses, const En
       flux_step = a.flux<size>(in_a) * step_a + b.flux<size>(in_b) * step_b;
       flux = mean_flux(a, in_a, b, in_b, -scheme.mid) + flux_step / 2;
     }
-    sum += point.weight * ((solved - mean - rows_w).dot(flux_step + stiffness * rows_step) -
-                           (now - before - rows_step).dot(flux + stiffness * mean));
+    const Vec2 traction = flux + stiffness * mean;
+    sum.loss += point.weight * ((solved - mean - rows_w).dot(flux_step + stiffness * rows_step) -
+                                (now - before - rows_step).dot(traction));
+    sum.lift += point.weight * traction.dot(bends[0] * (at - a.pose.centroid) - bends[1] * (at - b.pose.centroid));
   }
   return sum;
 }

@@ -30,10 +30,12 @@ class JointTerms {
   // Whether they may not, by the change of spins alone.
   bool may_disagree(const Model& model, const Scheme& scheme, const Vector& d) const;
   void begin() { missing_.clear(); }
-  // J/m, of a step to `moved`: the integrator's loss in bonds of blocks that turn (step/ledger.cpp), less what the
-  // matrix makes of it.
-  double loss_of_turning(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
-                         const std::vector<BlockState>& moved) const;
+  struct Turning {    // J/m, of a step, by bonds of blocks that turn
+    double loss = 0;  // the integrator's (step/ledger.cpp), less what the matrix makes of it
+    double lift = 0;  // of y (step/turning.h)
+  };
+  Turning turning(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
+                  const std::vector<BlockState>& moved) const;
   // Tractions, openings and slips of the joints' points in the model's present state.
   void store_tractions(Model& model) const;
 
@@ -66,8 +68,8 @@ class JointTerms {
     return missing_.empty() ? Vec2(0, 0) : missing_[size_t(joint)][size_t(point)];
   }
   template <int size>
-  double loss_of_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int joint,
-                      const Vector& d, const std::array<Pose, 2>& after) const;
+  Turning turning_of_bond(const Model& model, const Poses& poses, const Ends& ends, const Scheme& scheme, int joint,
+                          const Vector& d, const std::array<Pose, 2>& after, const std::array<double, 2>& bends) const;
 
   std::vector<std::array<double, 2>> stiffness_;
   std::vector<double> ground_stiffness_;

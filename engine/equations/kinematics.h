@@ -136,6 +136,13 @@ Pose flown(const Model& model, int block, double seconds);
 void fly(const BlockShape& shape, const BlockState& state, double seconds, Pose& pose);
 
 // All that are awake at the configuration of linearisation.
+// 1, by which a force on a block, times its lever along it, lifts y in a step that turns the block by φ: the lever's
+// end goes round the centroid, ahead φ²/Δt (step/turning.h).
+inline double lift_of_lever(const Model& model, const Scheme& scheme, const std::vector<BlockState>& moved, int block) {
+  const double turn = moved[size_t(block)].angle - model.blocks[size_t(block)].angle;
+  return scheme.bond_ahead * turn * turn / scheme.dt;
+}
+
 struct Poses {
   std::vector<Pose> blocks;
   std::vector<Vec2> vertex;  // of blocks that have contacts, once these have been found

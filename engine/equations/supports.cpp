@@ -132,8 +132,11 @@ Supports::Work Supports::work(const Model& model, const Poses& poses, const Sche
         return point.weight * ((s * step).dot(g_w) + (s * w).dot(g) + point.stiffness * g.dot(g_w));
       };
       sum.numerical += form(jump, jump_w) - form(-t * step, -t * w);
-      if (fixity.motion == Fixity::none) return;
       const Vec2 force = point.weight * (traction + scheme.bond_d * (s * own) + point.stiffness * mean);
+      const Pose& pose = poses.blocks[point.block];
+      sum.lift +=
+          lift_of_lever(model, scheme, moved, point.block) * force.dot(pose.place(point.in_block) - pose.centroid);
+      if (fixity.motion == Fixity::none) return;
       // Before the first step as it begins, past what jumps then.
       const Vec2 from = model.support_speeds.empty() ? fixity.speed(model.time + scheme.dt / 32, scheme.dt)
                                                      : model.support_speeds[size_t(point.fixity)];

@@ -32,6 +32,7 @@ class Supports {
   struct Work {
     double boundary = 0;   // J/m, force × prescribed displacement between the two y
     double numerical = 0;  // J/m, the integrator's loss (step/ledger.cpp) less what the matrix makes of it
+    double lift = 0;       // J/m, of y, by blocks that turn (step/turning.h)
   };
   Work work(const Model& model, const Poses& poses, const Scheme& scheme, const Vector& d,
             const std::vector<BlockState>& moved, double ahead0, double ahead1) const;

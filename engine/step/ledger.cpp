@@ -97,7 +97,7 @@ void Ledger::keep_largest() {
     largest_work = std::max(largest_work, std::abs(work));
 }
 
-void book_motion(const BookedStep& s, Ledger& ledger) {
+double book_motion(const BookedStep& s, Ledger& ledger) {
   const Model& model = s.model;
   const double time = model.time + s.scheme.load_time, before = ledger.ahead, after = s.scheme.bond_ahead;
   // A load that puts `force` on a block: its work along y, and what of it the way from X to y takes or gives.
@@ -140,8 +140,10 @@ void book_motion(const BookedStep& s, Ledger& ledger) {
   ledger.boundary_work += moved.boundary;
   ledger.numerical_flow += moved.numerical;
   book_blocks(s, ledger);
-  ledger.numerical_flow += s.joints.loss_of_turning(model, s.poses, s.scheme, s.d, s.moved);
+  const JointTerms::Turning turning = s.joints.turning(model, s.poses, s.scheme, s.d, s.moved);
+  ledger.numerical_flow += turning.loss;
   ledger.keep_largest();
+  return moved.lift + turning.lift;
 }
 
 double pressed_at_start(const Contact& c) {

@@ -70,8 +70,9 @@ struct BookedStep {  // what an accepted step was solved with; the model is stil
   const std::vector<BlockState>& moved;  // the blocks after it
 };
 
-// Forces that do not come from contacts, and the loss of bulk, bonds and supports.
-void book_motion(const BookedStep& step, Ledger& ledger);
+// Forces that do not come from contacts, and the loss of bulk, bonds and supports. Returns what bonds and supports lift
+// y by where blocks turn, J/m (step/turning.h).
+double book_motion(const BookedStep& step, Ledger& ledger);
 
 // m, by which a contact's spring is pressed as a step begins: by its force, and where it has taken over from another as
 // much more as it lies deeper.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "equations/boundary_terms.h"
 #include "model/rates.h"
@@ -381,7 +382,7 @@ std::optional<ContactBooking> Stepper::contacts_at_start() {
 }
 
 double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,
-                       const std::optional<Energies>& start) {
+                       std::optional<Energies> start) {
   StepTimer timer(totals_, "update");
   if (!booking) {
     ledger_.ahead = scheme.bond_ahead;
@@ -390,10 +391,18 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
   for (const int b : model_.awake_blocks())  // nothing of it is work
     if (parts_.islands.rest(b) != Rest::moves) std::ranges::fill(model_.blocks[b].velocity, 0);
   if (bridge_motion_.any()) ledger_.numerical_flow += bridge_motion_.shift_loss(model_, scheme, d);
-  book_motion({model_, parts_.poses, parts_.system, parts_.joints, parts_.supports, scheme, d, moved_}, ledger_);
-  if (plan_.fixities) parts_.supports.store(parts_.poses, scheme, d, model_);
+  const Ledger before = ledger_;
+  double lift =
+      book_motion({model_, parts_.poses, parts_.system, parts_.joints, parts_.supports, scheme, d, moved_}, ledger_);
   if (plan_.contacts && scheme.bond_ahead > 0)
-    ledger_.unpaid += std::max(0.0, lift_of_turning(model_, parts_.contacts, scheme, d, moved_, no_turn));
+    lift += lift_of_turning(model_, parts_.contacts, scheme, d, moved_, no_turn);
+  if (lift > 0 && !start) {  // for what this step loses to pay for it
+    const Ledger booked = std::exchange(ledger_, before);
+    start = parts_.energies();
+    ledger_ = booked;
+  }
+  ledger_.unpaid += std::max(0.0, lift);
+  if (plan_.fixities) parts_.supports.store(parts_.poses, scheme, d, model_);
   model_.blocks.swap(moved_);
   model_.vertex.swap(moved_vertex_);
   if (plan_.contacts) {

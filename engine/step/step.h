@@ -85,7 +85,7 @@ class Stepper {
   // Returns what the step has added to the energy it began with, where that is given. The model's states are in moved_
   // afterwards.
   double accept(const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,
-                const std::optional<Energies>& start);
+                std::optional<Energies> start);
   void change_step(double ahead);
   [[noreturn]] void give_up(const Course& course, double dt) const;  // step/no_step.cpp
 

@@ -35,8 +35,8 @@ Box2D first order in Δt until its single precision ends it.]],
 words.wall = { title = "Wall at rest", what = [[A running-bond wall put down at rest, for a second; the farthest that a brick gets, over its height. Steps of 1/60 s. For deformable bricks it is
 their own compression. Box2D keeps a skin round its polygons (1 cm): bricks that touch at the start are pushed apart, which is what its error shows; more iterations
 do not change it. It is made for other ends. Walls of three sizes are on one picture: the front is of no meaning between them.]],
-  advice = [[Where centimetres do not matter and nothing but looks does, Box2D is twelve to twenty times faster. Otherwise rigid bricks; deformable ones at twice the cost. Sleeping gains little in a second that begins with
-settling. At 10 × 10 `solver = "factor"` takes two thirds of what auto takes, `"sweeps"` alone ten times as much and more.]] }
+  advice = [[Where centimetres do not matter and nothing but looks does, Box2D is five to thirteen times faster. Otherwise rigid bricks; deformable ones at twice the cost. Sleeping gains little in a second that begins with
+settling. At 10 × 10 and 20 × 20 `solver = "factor"` takes a quarter to a half of what auto takes, which is made for more; `"sweeps"` alone takes ten to twenty times as much.]] }
 words.spinner = { title = "Spinning disc", what = [[A free disc of bonded blocks, two turns at 50 rad/s; stress at its centre, mean over the second turn, against the centrifugal one. Axes: order, size, steps a turn, θ.]],
   advice = [[First-order blocks of h = 0.4 and 200 steps a turn for 0.3 %; 50 steps are too few. The outline is a polygon of 64 sides, whose area is 0.16 % less than
 the circle's, and so is the stress, about: below that the errors say nothing. θ = 0.5 is not for turning bodies: the disc flies apart (not on the picture; theory, § 2, says why).]] }
@@ -60,7 +60,7 @@ halving the steps buys nothing beside that.]],
   end } }
 words.dda = { title = "Walls, beside a DDA program of Shi's kind", what = [[CPU a step of 2 ms; bricks of 1 GPa on fixed contact stiffness, from rest. The other column is **not of this machine and not of this run**: measured once
 for a program in C (block LDLᵀ with minimum degree renewed each step, one thread, 2026); it is not scaled, as the kernel's time on that machine is not known. That program takes a step when states no longer flip, Talus when
-the residual of the coupled law is below 1e-8. Talus is the slower one: four times at 106 blocks, 1.3 times at 1021.]],
+the residual of the coupled law is below 1e-8. The smaller the wall, the more of Talus' step goes into being right where few blocks are cheap to solve anew: it is the slower one at 106, and the faster from some 1000 blocks on.]],
   measured = { ["10x10"] = 0.00092, ["20x20"] = 0.0117, ["25x40"] = 0.056 } }
 
 return words

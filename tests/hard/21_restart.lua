@@ -1,6 +1,7 @@
+-- 21. 1 and 2 threads, two runs, and resume from a saved state: bit-identical state hash after 1000 steps of a collapsing pile.
 -- A pile of 72 blocks collapses on a rough floor in 1000 steps. A second run, one that goes back to a state in memory and
 -- one that goes on from a file end in the same state to the last bit; the hash of the state tells. No source: the answer
--- is the run itself. Threads and a restart of the program: tests/spec/saving.cases.
+-- is the run itself. Threads and a restart of the program: tests/spec/saving.cases runs this scene for them.
 local talus = require "talus"
 local u = talus.units
 local check = talus.check
