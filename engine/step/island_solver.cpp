@@ -160,10 +160,12 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
   OpenCloseSettings settings = step.settings;
   Standing standing = standing_of(islands_.first(island), problem);
   settings.split = standing.splits % splits_in_a_row > 0;
+  settings.steady = standing.steady;
   OpenCloseResult own = open_close_.solve(problem, settings, own_d, reached);
   std::erase_if(standing_, [&](const Standing& old) { return old.first == standing.first; });
-  if (own.split) {
-    ++standing.splits;
+  if (own.split || own.steady) {
+    standing.splits = own.split ? standing.splits + 1 : 0;
+    standing.steady = own.steady;
     standing.solve = solve_;
     standing_.push_back(standing);
   }

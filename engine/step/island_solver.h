@@ -63,16 +63,18 @@ class IslandSolver {
   Rest judge_rest(const Step& step, int island);
   bool solve_single(const Step& step, int island, IslandResult& result, Vector& d);
   void solve_together(const Step& step, int island, IslandResult& result, Vector& d);
-  struct Standing {  // of an island that only the splitting solved
+  struct Standing {  // of an island that only the splitting solved, or whose contacts keep their states
     int first = 0;
     std::int64_t touching = 0;  // a hash of which blocks do
     int splits = 0;             // times, one after the other, with the same blocks touching
+    bool steady = false;        // see OpenCloseResult
     long solve = 0;             // the last it took part in; not state: what is left after a step was in it
     template <class Visitor>
     void visit_state(Visitor& visitor) {
       visitor("first", first);
       visitor("touching", touching);
       visitor("splits", splits);
+      visitor("steady", steady);
     }
   };
   Standing standing_of(int first, const ContactProblem& problem) const;

@@ -40,6 +40,9 @@ constexpr int most_full = 8;  // Newton's steps from the splitting's states
 // Newton's steps in equilibrium: before the splitting, and where nothing slides, before it is sought against more
 // inertia.
 constexpr int newton_sliding = 4, newton_stuck = 15;
+// And in motion where few states change from step to step, as in a wall that settles: part of those that press.
+constexpr int newton_steady = 3;
+constexpr double few_states = 0.01;
 constexpr int pairs_alone = 10000;         // where no factor is allowed: as tests/contact gives its candidates
 constexpr double sweep_tolerance = 1e-13;  // change of a pair, part of all forces: contacts are stiffer than blocks
 
@@ -86,6 +89,8 @@ OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSetting
     solve_by_newton(problem, settings, settings.max_iterations, d, result);
   else
     solve_equilibrium(problem, settings, d, result);
+  if (settings.motion && result.converged && !result.steady)
+    result.steady = !settings.steady && result.effort() > newton_steady && few_changed(problem);
   return result;
 }
 
@@ -138,6 +143,7 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
     d = least.d;
     take_states(problem);
   };
+  if (settings.steady && go_on_steadily(problem, settings, d, result)) return;
   const int most = presses_already(problem) ? most_rounds : most_rounds_unpressed;
   double wrong_before = std::numeric_limits<double>::infinity();  // states
   int rounds = 0, in_vain = settings.split ? most_in_vain + 1 : 0;
@@ -167,6 +173,39 @@ void OpenClose::solve_motion(ContactProblem& problem, const OpenCloseSettings& s
     result.split = result.converged;
   }
   result.missed = !result.converged && missed_;
+}
+
+// Where that does not do, everything is as it was.
+bool OpenClose::go_on_steadily(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
+                               OpenCloseResult& result) {
+  const std::vector<double> normal = normal_, shear = shear_;
+  const std::vector<char> closed = closed_, stuck = stuck_;
+  const Vector from = d;
+  solve_by_newton(problem, settings, newton_steady, d, result);
+  result.steady = result.converged;
+  result.missed = !result.converged && missed_;
+  if (result.converged || missed_ || result.singular_block >= 0) return true;
+  normal_ = normal;
+  shear_ = shear;
+  closed_ = closed;
+  stuck_ = stuck;
+  d = from;
+  go_to(problem, d, result);
+  return false;
+}
+
+// Whether contacts end the step in the states that they ended the last one in, but for a few of those that press.
+bool OpenClose::few_changed(const ContactProblem& problem) const {
+  const auto& rows = problem.contacts.rows();
+  int changed = 0, pressed = 0;
+  for (size_t k = 0; k < rows.size(); ++k) {
+    const double normal = rows[k].near ? normal_force(rows[k], k) : 0;
+    const bool sticks = std::abs(rows[k].ks * slide_[k]) < friction_limit(rows[k], normal);
+    const ContactState now = normal <= 0 ? ContactState::open : sticks ? ContactState::stick : ContactState::slip;
+    pressed += normal > 0;
+    changed += now != problem.before(k).state;
+  }
+  return changed <= few_states * pressed;
 }
 
 // The splitting, and whenever its states have settled Newton's whole steps from them. Where these lead away it goes on

@@ -29,7 +29,8 @@ struct OpenCloseResult {
   int pivots = 0;      // sets of states that pivots found, each as dear as a factor
   // factors
   double effort() const { return iterations + pivots + sweep_effort * sweeps + splitting_effort * splittings; }
-  bool split = false;       // the splitting found it
+  bool split = false;   // the splitting found it
+  bool steady = false;  // in motion: Newton's steps from the states of the last step found it, or would, as few changed
   double sweep_change = 0;  // N, of the forces in the last pair
   double residual = 0;      // largest over blocks, of force scale
   int worst_block = -1;
@@ -44,7 +45,8 @@ struct OpenCloseSettings {
   ContactSolver solver = ContactSolver::automatic;
   // Factors, with sweeps at their part of one, after which motion gives up: a shorter step is cheaper.
   double most_effort = std::numeric_limits<double>::infinity();
-  bool split = false;  // the splitting at once where the first sweeps do not do
+  bool split = false;   // the splitting at once where the first sweeps do not do
+  bool steady = false;  // Newton's steps from the states of the last step before all sweeps
 };
 
 class OpenClose {
@@ -79,6 +81,8 @@ class OpenClose {
   void solve_by_newton(ContactProblem& problem, const OpenCloseSettings& settings, int most, Vector& d,
                        OpenCloseResult& result);
   int changed_states(const ContactProblem& problem) const;
+  bool go_on_steadily(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, OpenCloseResult& result);
+  bool few_changed(const ContactProblem& problem) const;
   void continue_states(const ContactProblem& problem);
   bool factor(ContactProblem& problem, OpenCloseResult& result);
   void predict(ContactProblem& problem, Vector& d, OpenCloseResult& result);
