@@ -383,7 +383,7 @@ double Equilibrium::hold_and_leave(bool stick, const std::vector<BlockState>& mo
 // Whether it went past contacts, for the `times`th solve in a row, and is not to be taken: the next is held harder.
 bool Equilibrium::goes_past(const std::vector<BlockState>& moved, const Vector& d, double displacement, int& times) {
   if (times == most_past ||
-      !overlooked(model_, parts_.search, parts_.contacts, d, moved, 0, displacement, deepest_past)) {
+      !overlooked(model_, parts_.search, parts_.contacts, d, moved, 0, displacement, deepest_past, deepest_past)) {
     times = 0;
     return false;
   }

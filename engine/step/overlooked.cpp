@@ -25,12 +25,13 @@ constexpr double unfelt = 1e-4;
 class Hindsight {
  public:
   Hindsight(const Model& model, const ContactSearch& search, const std::vector<BlockState>& moved, double dt,
-            double deepest)
+            double deepest, double unasked)
       : model_(model),
         search_(search),
         moved_(moved),
         dt_(dt),
         deepest_(deepest),
+        unasked_(unasked),
         ahead_(judged_ahead(model.scene.numerics, dt)) {
     for (const BlockPair& pair : search.near()) add(pair);
     if (thrown()) {
@@ -39,6 +40,7 @@ class Hindsight {
       pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
     }
     if (pairs_.empty()) return;
+    asked_.assign(pairs_.size(), 0);
     known_.assign(pairs_.size(), 0);
     outlines_.resize(model.shapes.size());
   }
@@ -54,6 +56,7 @@ class Hindsight {
       const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), BlockPair(std::minmax(row.i, row.j)));
       if (at == pairs_.end() || *at != BlockPair(std::minmax(row.i, row.j))) continue;
       const Contact& contact = model_.contacts[row.contact];
+      asked_[size_t(at - pairs_.begin())] = 1;
       const double pressed = pressed_in(row);
       if (pressed <= 0) continue;
       double& known = known_[at - pairs_.begin()];
@@ -71,7 +74,7 @@ class Hindsight {
       const auto [a, b] = pairs_[k];
       for (const auto& [corners, block] : {BlockPair(a, b), BlockPair(b, a)})
         if (comes_in(corners, block, known_[k]) || goes_through(corners, block, known_[k])) return pairs_[k];
-      if (crosses(a, b, known_[k])) return pairs_[k];
+      if (crosses(a, b, known_[k], asked_[k])) return pairs_[k];
     }
     return {};
   }
@@ -79,9 +82,9 @@ class Hindsight {
  private:
   // m, that blocks may lie in each other: and as far as edges that contacts follow as they bend go off the lines
   // between their corners, which are asked here.
-  double tolerance(int a, int b) const {
-    return deepest_ * std::min(model_.shapes[a].length, model_.shapes[b].length) + model_.largest_rise(a, moved_[a]) +
-           model_.largest_rise(b, moved_[b]);
+  double tolerance(int a, int b, bool asked = true) const {
+    return (asked ? deepest_ : unasked_) * std::min(model_.shapes[a].length, model_.shapes[b].length) +
+           model_.largest_rise(a, moved_[a]) + model_.largest_rise(b, moved_[b]);
   }
 
   // m, by which turning and straining moves what is in the block.
@@ -93,7 +96,7 @@ class Hindsight {
   void add(const BlockPair& pair) {
     const auto [a, b] = pair;
     const Vec2 past = moved_[a].shift - model_.blocks[a].shift - (moved_[b].shift - model_.blocks[b].shift);
-    if (past.norm() + turning(a) + turning(b) > tolerance(a, b) && !search_.bonded(a, b)) pairs_.push_back(pair);
+    if (past.norm() + turning(a) + turning(b) > tolerance(a, b, false) && !search_.bonded(a, b)) pairs_.push_back(pair);
   }
   // Whether something was hit so hard that the search could not foresee where to.
   bool thrown() const {
@@ -283,8 +286,8 @@ class Hindsight {
     return -out->gap;
   }
   // Whether two blocks have come into each other, be it with all of their corners outside, as tips that cross.
-  bool crosses(int a, int b, double known) {
-    const double enough = known + tolerance(a, b);
+  bool crosses(int a, int b, double known, bool asked) {
+    const double enough = known + tolerance(a, b, asked);
     for (const Place place : {after, judged}) {
       if (far(a, b, place)) continue;
       const double now = lie_in(a, b, place, enough);
@@ -296,10 +299,11 @@ class Hindsight {
   const Model& model_;
   const ContactSearch& search_;
   const std::vector<BlockState>& moved_;
-  double dt_, deepest_;           // s, of the step; part of √area
-  double ahead_;                  // s, from its end to y
-  std::vector<BlockPair> pairs_;  // that move past each other, sorted
-  std::vector<double> known_;     // m, per pair: depth of the deepest of its contacts that press, as they know it
+  double dt_, deepest_, unasked_;  // s, of the step; part of √area, also of pairs without a contact
+  double ahead_;                   // s, from its end to y
+  std::vector<BlockPair> pairs_;   // that move past each other, sorted
+  std::vector<char> asked_;        // per pair: whether it has a contact, open or not
+  std::vector<double> known_;      // m, per pair: depth of the deepest of its contacts that press, as they know it
   std::vector<std::array<Outline, places>> outlines_;  // per block, those that have been asked for
 };
 
@@ -308,9 +312,9 @@ class Hindsight {
 std::optional<std::pair<int, int>> overlooked(const Model& model, const ContactSearch& search,
                                               const ContactTerms& contacts, const Vector& d,
                                               const std::vector<BlockState>& moved, double dt, double displacement,
-                                              double deepest) {
-  if (2 * displacement <= deepest * search.least_length()) return {};
-  Hindsight hindsight(model, search, moved, dt, deepest);
+                                              double deepest, double unasked) {
+  if (2 * displacement <= unasked * search.least_length()) return {};
+  Hindsight hindsight(model, search, moved, dt, deepest, unasked);
   if (!hindsight.any()) return {};
   const auto apart = hindsight.presses_apart(contacts, d);
   return apart ? apart : hindsight.overlaps();

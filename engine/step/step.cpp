@@ -33,6 +33,9 @@ constexpr double most_turning_near_rest = 3e-3;
 // rad, half the square of which is as nothing beside what contacts of rock are pressed in by, 1e-9 of the lever and
 // more
 constexpr double no_turn = 1e-6;
+// of √area: what blocks that had no contact may come to lie in each other before the step is looked at once more with
+// those on its way; what bends lies so deep in what it has none with, and no shorter step would mend that
+constexpr double unasked_tolerance = 1e-3;
 constexpr double most_solve_effort = 24;  // factors, among cracks: three times what keeps a step from growing
 
 void stand(const BlockState& where, BlockState& state) {
@@ -237,7 +240,7 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     // again.
     course.woke = model_.scene.numerics.sleeping && parts_.sleep.struck(model_, moved_, scheme);
     if (course.woke) return course;
-    if (plan_.contacts) course.past = overlooks(scheme.dt, report.displacement, course.d);
+    if (plan_.contacts) course.past = overlooks(scheme.dt, report.displacement, course.d, seen.empty());
     if (!course.past || !seen.empty()) return course;
     seen = moved_;
   }
@@ -287,9 +290,10 @@ bool Stepper::settled(const Scheme& scheme, const Vector& d) {
   return !bridge_motion_.any() || bridge_motion_.gives_up() || bridge_motion_.agrees(d);
 }
 
-std::optional<std::pair<int, int>> Stepper::overlooks(double dt, double displacement, const Vector& d) {
+std::optional<std::pair<int, int>> Stepper::overlooks(double dt, double displacement, const Vector& d, bool first) {
   StepTimer timer(totals_, "contact search");
-  return overlooked(model_, parts_.search, parts_.contacts, d, moved_, dt, displacement);
+  return overlooked(model_, parts_.search, parts_.contacts, d, moved_, dt, displacement, passing_tolerance,
+                    first ? unasked_tolerance : passing_tolerance);
 }
 
 // What the work of contacts is other than the step was solved with, as blocks turn in it, of what it may be: of the

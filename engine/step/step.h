@@ -67,7 +67,7 @@ class Stepper {
   IslandResult solve(const Scheme& scheme, Vector& d);
   bool settled(const Scheme& scheme, const Vector& d);
   void lead(const Scheme& scheme, Course& course);
-  std::optional<std::pair<int, int>> overlooks(double dt, double displacement, const Vector& d);
+  std::optional<std::pair<int, int>> overlooks(double dt, double displacement, const Vector& d, bool first);
   double turning_gain(const Scheme& scheme, const Course& course);
   double kinetic_energy_moved();  // J/m, of where the step leads
   // J/m, and what moves: all there is

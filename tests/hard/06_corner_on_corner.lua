@@ -41,3 +41,18 @@ for name, shape in pairs { squares = { math.rad(45), true }, triangles = { math.
     end
   end
 end
+
+-- Put on the other's corner, faces in line, in automatic steps: by the velocities that the first begins with, none, neither corner comes on to a face.
+for _, case in ipairs { { 0, 0 }, { 0, 1e-6 }, { 1e-6, 0 }, { 1e-4, 0 }, { 0, 1e-4 } } do
+  local offset, high = table.unpack(case)
+  local sim = talus.simulation { gravity = {0, -g}, contact = talus.joint { name = "contact", friction = 0.5 }, output = { vtk = false, picture = false },
+    regions = { talus.region { name = "anvil", outline = { {0, 0}, {-1, -1}, {0, -2}, {1, -1} }, material = rock, held = true },
+                talus.region { name = "hammer", outline = { {offset, high}, {offset + 1, high + 1}, {offset, high + 2}, {offset - 1, high + 1} }, material = rock } },
+    time = { t_end = 0.5 } }
+  local deep = 0
+  for _ in sim:steps() do
+    local tip = sim.blocks[2].vertices[1]
+    deep = math.max(deep, -(tip[2] + math.abs(tip[1]))/math.sqrt(2))
+  end
+  talus.check.below(string.format("put on the corner, %g beside it and %g above: tip under the faces, over the root of the area", offset, high), deep/math.sqrt(2), 1e-3)
+end
