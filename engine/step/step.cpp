@@ -1,4 +1,10 @@
 // One step of the simulation, top to bottom. docs/architecture.md walks through it.
+//
+// X is where blocks lie, and y = X + ahead·v, ahead = (θ-½)Δt, where forces act, contacts are judged and energies are
+// weighed (theory, § 2 and 9). An attempt at a step leads the blocks from model_.blocks to moved_; accept() exchanges
+// the two. What it is refused for: Course. Those of the same length taken again: `past`, with contacts that it met
+// (seek()); shorter ones: cut (no solution), halve (a solution that is not good enough); a longer or shorter one:
+// regret (it is good, but the change of length cost energy).
 #include "step/step.h"
 
 #include <algorithm>
