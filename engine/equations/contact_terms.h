@@ -89,6 +89,9 @@ class ContactTerms {
 
   const std::vector<ContactRows>& rows() const { return rows_; }
   double factor() const { return factor_; }
+  double pressed_in(const ContactRows& row, const Vector& d) const {  // m, at the solution d; negative: apart
+    return -(row.gap0 + factor_ * row.along(row.normal_i, row.normal_j, d));
+  }
 
  private:
   template <int n>

@@ -135,7 +135,6 @@ Pose flown(const BlockShape& shape, const BlockState& state, double seconds);
 Pose flown(const Model& model, int block, double seconds);
 void fly(const BlockShape& shape, const BlockState& state, double seconds, Pose& pose);
 
-// All that are awake at the configuration of linearisation.
 // 1, by which a force on a block, times its lever along it, lifts y in a step that turns the block by φ: the lever's
 // end goes round the centroid, ahead φ²/Δt (step/turning.h).
 inline double lift_of_lever(const Model& model, const Scheme& scheme, const std::vector<BlockState>& moved, int block) {
@@ -143,6 +142,7 @@ inline double lift_of_lever(const Model& model, const Scheme& scheme, const std:
   return scheme.bond_ahead * turn * turn / scheme.dt;
 }
 
+// All that are awake at the configuration of linearisation.
 struct Poses {
   std::vector<Pose> blocks;
   std::vector<Vec2> vertex;  // of blocks that have contacts, once these have been found

@@ -47,17 +47,14 @@ class Hindsight {
   bool any() const { return !pairs_.empty(); }
 
   std::optional<BlockPair> presses_apart(const ContactTerms& contacts, const Vector& d) {
-    const auto pressed_in = [&](const ContactRows& row) {
-      return -(row.gap0 + contacts.factor() * row.along(row.normal_i, row.normal_j, d));
-    };
     double most = 0;
-    for (const ContactRows& row : contacts.rows()) most = std::max(most, pressed_in(row));
+    for (const ContactRows& row : contacts.rows()) most = std::max(most, contacts.pressed_in(row, d));
     for (const ContactRows& row : contacts.rows()) {
       const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), BlockPair(std::minmax(row.i, row.j)));
       if (at == pairs_.end() || *at != BlockPair(std::minmax(row.i, row.j))) continue;
       const Contact& contact = model_.contacts[row.contact];
       asked_[size_t(at - pairs_.begin())] = 1;
-      const double pressed = pressed_in(row);
+      const double pressed = contacts.pressed_in(row, d);
       if (pressed <= 0) continue;
       double& known = known_[at - pairs_.begin()];
       known = std::max(known, pressed + contact.offset);

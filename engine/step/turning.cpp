@@ -15,10 +15,6 @@ double larger_turn(const Model& model, const std::vector<BlockState>& moved, con
   return std::max(turn(model, moved, row.i), turn(model, moved, row.j));
 }
 
-double pressed_in(const ContactTerms& contacts, const ContactRows& row, const Vector& d) {  // m
-  return -(row.gap0 + contacts.factor() * row.along(row.normal_i, row.normal_j, d));
-}
-
 // A contact's corner and the ends of its edge.
 struct Meeting {
   Vec2 at, from, to;
@@ -57,7 +53,7 @@ TurningWork work_of_turning(const Model& model, const ContactTerms& contacts, co
   for (const ContactRows& row : contacts.rows()) {
     const double turned = larger_turn(model, moved, row);
     if (turned <= least) continue;
-    const double pressed = pressed_in(contacts, row, d);
+    const double pressed = contacts.pressed_in(row, d);
     if (pressed <= 0) continue;
     const Contact& c = model.contacts[size_t(row.contact)];
     const double change = after(model, moved, c).gap() - before(model, c).gap();
@@ -90,7 +86,7 @@ double lift_of_turning(const Model& model, const ContactTerms& contacts, const S
   double sum = 0;
   for (const ContactRows& row : contacts.rows()) {
     if (larger_turn(model, moved, row) <= least) continue;
-    const double pressed = pressed_in(contacts, row, d);
+    const double pressed = contacts.pressed_in(row, d);
     if (pressed <= 0) continue;
     const Contact& c = model.contacts[size_t(row.contact)];
     sum -= row.kn * pressed * (parting(c, after(model, moved, c), moved) - parting(c, before(model, c), model.blocks));
