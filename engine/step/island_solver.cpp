@@ -179,7 +179,7 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
   result.pivots += own.pivots;
   result.factorisations += problem.solver.factorisations - before;
   const double part = double(problem.blocks.size()) / double(std::max(1, step.moving));
-  result.total_effort += own.effort() * part;
+  result.total_effort += (own.effort() - own.in_vain) * part;
   if (own.split && standing.splits == 1) result.split_anew += part;
   ++(own.iterations == 0 ? result.islands.by_sweeps : result.islands.with_factor);
   result.iterations = std::max(result.iterations, own.iterations);

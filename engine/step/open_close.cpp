@@ -181,10 +181,12 @@ bool OpenClose::go_on_steadily(ContactProblem& problem, const OpenCloseSettings&
   const std::vector<double> normal = normal_, shear = shear_;
   const std::vector<char> closed = closed_, stuck = stuck_;
   const Vector from = d;
+  const double before = result.effort();
   solve_by_newton(problem, settings, newton_steady, d, result);
   result.steady = result.converged;
   result.missed = !result.converged && missed_;
   if (result.converged || missed_ || result.singular_block >= 0) return true;
+  result.in_vain = result.effort() - before;
   normal_ = normal;
   shear_ = shear;
   closed_ = closed;

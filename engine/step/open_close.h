@@ -27,6 +27,7 @@ struct OpenCloseResult {
   int sweeps = 0;
   int splittings = 0;  // iterations
   int pivots = 0;      // sets of states that pivots found, each as dear as a factor
+  double in_vain = 0;  // of its effort, from states of the last step that did not do
   // factors
   double effort() const { return iterations + pivots + sweep_effort * sweeps + splitting_effort * splittings; }
   bool split = false;   // the splitting found it

@@ -249,6 +249,7 @@ Stepper::Course Stepper::seek(const Scheme& scheme, Attempt& attempt, StepReport
     if (plan_.contacts) course.past = overlooks(scheme.dt, report.displacement, course.d, seen.empty());
     if (!course.past || !seen.empty()) return course;
     seen = moved_;
+    effort_ = split_anew_ = 0;  // what a longer step would make dearer is in the second look alone
   }
 }
 
