@@ -305,23 +305,22 @@ double JointTerms::energy_of(const Model& model, int j, const Pose& pose_a, cons
   });
 }
 
-std::array<Vec3, 2> JointTerms::strain_of_jump(const Model& model, int j, double ahead) const {
+std::array<BlockStrain, 2> JointTerms::strain_of_jump(const Model& model, int j, double ahead) const {
   const Joint& joint = model.joints[j];
-  std::array<Vec3, 2> strain = {Vec3::Zero(), Vec3::Zero()};
-  if (joint.kind != BondKind::exact) return strain;
-  const std::array poses = {flown(model, joint.a, 0), flown(model, joint.b, 0)};
-  Vec2 moment = Vec2::Zero();  // m2, of the jump along the joint
-  for (const JointPoint& point : joint.points)
-    moment += point.weight * jump_ahead<max_dofs>(poses[0], between(joint.in_a, point.at), poses[1],
-                                                  between(joint.in_b, point.at), spin_of(model, joint), ahead);
   const std::array blocks = {joint.a, joint.b};
   const std::array weights = {joint.weight_a, joint.weight_b};
-  const Vec2& n = joint.normal;
+  const std::array poses = {flown(model, joint.a, 0), flown(model, joint.b, 0)};
+  std::array<BlockStrain, 2> strain;
   for (size_t k = 0; k < 2; ++k) {
-    const BlockShape& shape = model.shapes[blocks[k]];
-    if (shape.dofs <= rigid_dofs) continue;
-    const Vec2 g = weights[k] / shape.area * poses[k].rotation.back(moment);
-    strain[k] = Vec3(n.x() * g.x(), n.y() * g.y(), n.x() * g.y() + n.y() * g.x());
+    strain[k].setZero(model.shapes[blocks[k]].second_order() ? 9 : 3);
+    if (joint.kind != BondKind::exact || model.shapes[blocks[k]].dofs <= rigid_dofs) continue;
+    for (const JointPoint& point : joint.points) {
+      const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at);
+      const Vec2 jump = jump_ahead<max_dofs>(poses[0], in_a, poses[1], in_b, spin_of(model, joint), ahead);
+      strain[k] += face_rows(model, blocks[k], joint.normal, k == 0 ? in_a : in_b).transpose() *
+                   (weights[k] * point.weight * poses[k].rotation.back(jump));
+    }
+    strain[k] = strain_stiffness(model, blocks[k]).ldlt().solve(strain[k]);
   }
   return strain;
 }

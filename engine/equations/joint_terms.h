@@ -11,6 +11,7 @@
 // positive definite by proof, on any mesh. κ ~ E/h. Of second-order blocks ε and σ vary, and both are integrals.
 //
 // spring: springs at the edge's ends (Ning et al. 2011), normal and shear.
+#include "equations/block_strain.h"
 #include "equations/system.h"
 
 namespace talus {
@@ -43,10 +44,10 @@ class JointTerms {
   double energy(const Model& model, double ahead) const;
   double energy_of(const Model& model, int joint, double ahead) const;  // whether intact or not
 
-  // εx, εy, γxy in the axes of blocks a and b: what the jump g of an exact bond adds to their strain, (w L/A) sym(n ⊗
-  // g), with which the work of {σ}n on g is that of the stress on a strain (the lifting of discontinuous Galerkin
-  // methods; theory, § 4).
-  std::array<Vec3, 2> strain_of_jump(const Model& model, int joint, double ahead) const;
+  // In the axes of blocks a and b: what the jump g of an exact bond adds to their strain, (w L/A) sym(n ⊗ g) where that
+  // is constant, with which the work of {σ}n on g is that of the stress on a strain (the lifting of discontinuous
+  // Galerkin methods; theory, § 4).
+  std::array<BlockStrain, 2> strain_of_jump(const Model& model, int joint, double ahead) const;
 
   // Pa, {σ}n of an exact bond in the joint's axes at the place `at` along it, whether intact or not; nothing for
   // springs.

@@ -74,7 +74,7 @@ std::vector<int> Fracture::first_of_those_due(bool motion) const {
   const auto& joints = model_.joints;
   std::vector<int> due;
   for (const int j : breakable_)
-    if (is_due(joints[j])) due.push_back(j);
+    if (is_due(joints[j]) && !waits(j)) due.push_back(j);
   const FractureControl& control = model_.scene.fracture;
   if (due.empty() || control.order == FailureOrder::all) return due;
   const double least = control.order == FailureOrder::one ? 1 : 1 - control.band;
@@ -84,7 +84,8 @@ std::vector<int> Fracture::first_of_those_due(bool motion) const {
       double most = 0;
       for (const int node : joints[j].node)
         for (const int other : at_node_[node])
-          if (joints[other].state == JointState::intact) most = std::max(most, joints[other].utilisation);
+          if (joints[other].state == JointState::intact && !waits(other))
+            most = std::max(most, joints[other].utilisation);
       if (joints[j].utilisation >= (1 - alike) * least * most) chosen.push_back(j);
     }
     return chosen;
@@ -130,19 +131,36 @@ void Fracture::recall_tractions() {
       }
 }
 
-void Fracture::add_strain(int block, const Vec3& strain) {
+void Fracture::add_strain(int block, const BlockStrain& strain) {
   BlockShape& shape = model_.shapes[block];
-  before_strain_.push_back({block, shape.initial_stress, model_.added_strain_energy});
-  const Vec3 stress = elasticity(model_.material(block)) * strain;
-  model_.added_strain_energy += shape.area * strain.dot(shape.initial_stress + stress / 2);
-  shape.initial_stress += stress;
+  const Mat3 d = elasticity(model_.material(block));
+  before_strain_.push_back({block, shape.initial_stress, {}, model_.added_strain_energy});
+  model_.added_strain_energy +=
+      strain.dot(initial_strain_force(model_, block) + strain_stiffness(model_, block) * strain / 2);
+  shape.initial_stress += d * strain.head<3>();
+  if (!shape.second_order()) return;
+  QuadraticShape& quadratic = model_.quadratic_shapes[shape.quadratic];
+  before_strain_.back().gradients = {quadratic.stress_x, quadratic.stress_y};
+  quadratic.stress_x += d * shape.bend().strain_rows(Vec2::UnitX()) * strain.tail<6>();
+  quadratic.stress_y += d * shape.bend().strain_rows(Vec2::UnitY()) * strain.tail<6>();
+}
+
+bool Fracture::waits(int joint) const {
+  return std::ranges::find(held_back_, joint) != held_back_.end();
 }
 
 void Fracture::heal() {
+  held_back_.clear();
   if (events_.empty()) return;
   for (; !before_strain_.empty(); before_strain_.pop_back()) {
     const Before& before = before_strain_.back();
-    model_.shapes[before.block].initial_stress = before.stress;
+    BlockShape& shape = model_.shapes[before.block];
+    shape.initial_stress = before.stress;
+    if (shape.second_order()) {
+      QuadraticShape& quadratic = model_.quadratic_shapes[shape.quadratic];
+      quadratic.stress_x = before.gradients[0];
+      quadratic.stress_y = before.gradients[1];
+    }
     model_.added_strain_energy = before.energy;
   }
   for (const int j : events_) {

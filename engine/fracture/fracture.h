@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "equations/block_strain.h"
 #include "fracture/crack_tracking.h"
 #include "model/model.h"
 
@@ -26,7 +27,9 @@ class Fracture {
   // each search of the step.
   void recall_tractions();
   // A block goes on with this strain beside its own, as an initial stress.
-  void add_strain(int block, const Vec3& strain);
+  void add_strain(int block, const BlockStrain& strain);
+  // An intact bond is not due until the events are cleared or healed.
+  void hold_back(int joint) { held_back_.push_back(joint); }
   // Makes what failed since the last clear_events() whole again, and takes back the strains that were added.
   void heal();
   // Remaining strengths of what has failed, by the slips and openings there are.
@@ -40,20 +43,23 @@ class Fracture {
   void clear_events() {
     events_.clear();
     before_strain_.clear();
+    held_back_.clear();
   }
   void restored();  // the model has been put back
 
  private:
   std::vector<int> first_of_those_due(bool motion) const;
+  bool waits(int joint) const;
   void weaken(Joint& joint, double normal);  // Pa
 
   Model& model_;
   std::vector<std::vector<int>> at_node_;  // bonds, by Model::nodes
-  std::vector<int> breakable_, events_;
+  std::vector<int> breakable_, events_, held_back_;
   std::optional<CrackTracking> tracking_;
   struct Before {
     int block;
-    Vec3 stress;    // Pa
+    Vec3 stress;  // Pa, and its gradients
+    std::array<Vec3, 2> gradients;
     double energy;  // J/m, Model::added_strain_energy
   };
   std::vector<Before> before_strain_;

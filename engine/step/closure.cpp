@@ -57,8 +57,8 @@ std::vector<double> Closure::virials(const Model& model, const std::vector<int>&
   const auto bonded = [&](int j) {
     const Joint& joint = model.joints[size_t(j)];
     const auto [of_a, of_b] = bonds_.strain_of_jump(model, j, 0);
-    strained(joint.a, of_a);
-    strained(joint.b, of_b);
+    strained(joint.a, of_a.head<3>());
+    strained(joint.b, of_b.head<3>());
     if (!rigid(joint.a) && !rigid(joint.b)) return;
     const Vec2 normal = turned_normal(joint, flown(model, joint.a, 0), flown(model, joint.b, 0));
     for (const JointPoint& point : joint.points) {

@@ -76,7 +76,7 @@ class Stepper {
   void count(const IslandResult& result);
   // step/step_bonds.cpp
   bool breaks(double dt, StepReport& report);
-  void fail(const std::vector<int>& due, double time, const std::vector<BondTraction>& judged = {});
+  bool fail(const std::vector<int>& due, double time, const std::vector<BondTraction>& judged = {});
   void judge_again();
   void keep_failures(Course& course, StepReport& report);
   bool all_still() const;

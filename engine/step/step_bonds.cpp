@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "step/bond_release.h"
 #include "step/part_timer.h"
 #include "step/step.h"
 
@@ -35,19 +36,20 @@ void Stepper::left() {
 bool Stepper::breaks(double dt, StepReport& report) {
   StepTimer timer(totals_, "fracture");
   judged_astray_ = true;  // until the step is accepted
-  std::vector<int> due;
-  std::vector<BondTraction> judged;
-  {
-    const Lent lent(model_, moved_);
+  for (;;) {
+    std::vector<int> due;
+    std::vector<BondTraction> judged;
+    {
+      const Lent lent(model_, moved_);
+      parts_.joints.store_tractions(model_);
+      report.utilisation = std::max(report.utilisation, parts_.fracture->judge());
+      if (dt >= parts_.transit()) due = parts_.fracture->choose(true);
+      for (const int j : due) judged.push_back(mean_traction(model_.joints[j]));
+    }
+    if (due.empty()) return false;
     parts_.joints.store_tractions(model_);
-    report.utilisation = std::max(report.utilisation, parts_.fracture->judge());
-    if (dt >= parts_.transit()) due = parts_.fracture->choose(true);
-    for (const int j : due) judged.push_back(mean_traction(model_.joints[j]));
+    if (fail(due, model_.time + dt, judged)) return true;
   }
-  if (due.empty()) return false;
-  parts_.joints.store_tractions(model_);
-  fail(due, model_.time + dt, judged);
-  return true;
 }
 
 // Bonds where the blocks are.
@@ -58,10 +60,13 @@ void Stepper::judge_again() {
   judged_astray_ = false;
 }
 
-void Stepper::fail(const std::vector<int>& due, double time, const std::vector<BondTraction>& judged) {
+// Whether any of them does: those that would make energy wait, in this step.
+bool Stepper::fail(const std::vector<int>& due, double time, const std::vector<BondTraction>& judged) {
+  const std::size_t before = parts_.fracture->events().size();
   const StepParts::Released released = parts_.fail(due, time, true, judged);
   released_.energy += released.energy;
   released_.on_way += released.on_way;
+  return parts_.fracture->events().size() > before;
 }
 
 // Of a step that is accepted.
@@ -83,22 +88,37 @@ int StepParts::initial_cracks() {
   return int(due.size());
 }
 
-// In motion the blocks beside keep as strain what the jump of their bond was to them. Where they strain more than their
-// bond would let them, as in an impact on few blocks, its potential is below nought: without it, and without that
-// strain, they would have more energy.
 StepParts::Released StepParts::fail(const std::vector<int>& due, double time, bool motion,
                                     const std::vector<BondTraction>& judged) {
   if (due.empty()) return {};
   const double before = elastic_energy(ledger.ahead), before_at_x = elastic_energy(0);
   if (motion)
-    for (const int j : due) {
-      const auto [of_a, of_b] = joints.strain_of_jump(model, j, ledger.ahead);
-      fracture->add_strain(model.joints[j].a, of_a);
-      fracture->add_strain(model.joints[j].b, of_b);
-    }
-  fracture->fail(due, time, judged);
+    fail_in_motion(due, time, judged);
+  else
+    fracture->fail(due, time, judged);
   const double energy = before - elastic_energy(ledger.ahead);
   return {energy, energy - (before_at_x - elastic_energy(0))};
+}
+
+// In motion the blocks beside keep as strain what the jump of their bond was to them. Where they strain more than their
+// bond would let them, as in an impact on few blocks, its potential is below nought: without it, and without that
+// strain, they would have more energy.
+void StepParts::fail_in_motion(const std::vector<int>& due, double time, const std::vector<BondTraction>& judged) {
+  std::vector<int> failing;
+  std::vector<BondTraction> failing_judged;
+  BondRelease release(model, joints, due, ledger.ahead);
+  for (size_t k = 0; k < due.size(); ++k) {
+    const auto strains = release.fail(due[k]);
+    if (!strains) {
+      fracture->hold_back(due[k]);
+      continue;
+    }
+    fracture->add_strain(model.joints[due[k]].a, strains->front());
+    fracture->add_strain(model.joints[due[k]].b, strains->back());
+    failing.push_back(due[k]);
+    if (!judged.empty()) failing_judged.push_back(judged[k]);
+  }
+  fracture->fail(failing, time, failing_judged);
 }
 
 double StepParts::contacts_of_events() const {

@@ -89,6 +89,7 @@ class StepParts {
  private:
   void link(const Scheme& scheme, const ContactChoice& choice);
   bool balances_as_before() const;
+  void fail_in_motion(const std::vector<int>& due, double time, const std::vector<BondTraction>& judged);
 
   bool plain_ = false;  // the last assembly was one that may serve again: see assemble()
   bool linked_as_before_ = false;
