@@ -278,7 +278,7 @@ struct TimeControl {
 };
 
 // How the contacts of an island are solved in motion; see OpenClose.
-enum class ContactSolver { automatic, factor, sweeps };
+enum class ContactSolver { automatic, factor, sweeps, splitting };
 
 struct Numerics {
   std::string profile = "default";

@@ -287,7 +287,10 @@ Numerics read_numerics(const TableReader& t) {
   t.read("islands", n.islands);
   t.read("sleeping", n.sleeping);
   read_enum(t, "solver",
-            {{"auto", ContactSolver::automatic}, {"factor", ContactSolver::factor}, {"sweeps", ContactSolver::sweeps}},
+            {{"auto", ContactSolver::automatic},
+             {"factor", ContactSolver::factor},
+             {"sweeps", ContactSolver::sweeps},
+             {"splitting", ContactSolver::splitting}},
             n.solver);
   t.read("recovery", n.recovery);
   return n;

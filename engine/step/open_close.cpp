@@ -78,13 +78,15 @@ OpenCloseResult OpenClose::solve(ContactProblem& problem, const OpenCloseSetting
   }
   // Bonds alone are linear: one factor, which costs what a few pairs of sweeps over patches do.
   const bool linear = problem.contacts.rows().empty() && problem.blocks.size() > 1;
-  const bool swept = settings.motion && settings.solver != ContactSolver::factor &&
-                     (settings.solver == ContactSolver::sweeps || !linear);
+  const bool swept = settings.motion && (settings.solver == ContactSolver::sweeps ||
+                                         (settings.solver == ContactSolver::automatic && !linear));
   if (swept) sweeps_.start(problem);
   if (swept && settings.solver == ContactSolver::sweeps)
     solve_by_sweeps(problem, settings.tolerance, d, result);
   else if (swept)
     solve_motion(problem, settings, d, result);
+  else if (settings.motion && settings.solver == ContactSolver::splitting && !problem.contacts.rows().empty())
+    split_from_present(problem, settings, d, result);
   else if (settings.motion)
     solve_by_newton(problem, settings, settings.max_iterations, d, result);
   else
@@ -104,6 +106,11 @@ void OpenClose::solve_equilibrium(ContactProblem& problem, const OpenCloseSettin
   solve_by_newton(problem, settings, std::min(settings.max_iterations, slides ? newton_sliding : newton_stuck), d,
                   result);
   if (!slides || result.converged || missed_ || result.singular_block >= 0 || !std::isfinite(result.residual)) return;
+  split_from_present(problem, settings, d, result);
+}
+
+void OpenClose::split_from_present(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
+                                   OpenCloseResult& result) {
   forces_at_present(problem);
   take_states(problem);
   solve_by_splitting(problem, settings, d, result);

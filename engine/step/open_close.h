@@ -74,6 +74,8 @@ class OpenClose {
   void forces_at_present(const ContactProblem& problem);
   void take_forces(const ContactProblem& problem);
   void solve_motion(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d, OpenCloseResult& result);
+  void split_from_present(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
+                          OpenCloseResult& result);
   void solve_by_splitting(ContactProblem& problem, const OpenCloseSettings& settings, Vector& d,
                           OpenCloseResult& result);
   void solve_by_sweeps(ContactProblem& problem, double tolerance, Vector& d, OpenCloseResult& result);

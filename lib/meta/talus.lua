@@ -492,7 +492,7 @@ function talus.simulation(fields) end
 ---@field threads? integer in [1, 1024]; for the linear solver. It takes one whatever this says: a second one gains less than it costs, and runs beside each other (`talus sweep`) take all there are. The results are the same to the last bit
 ---@field islands? boolean blocks that neither touch nor hang together are solved apart; false: the scene as one, for study
 ---@field sleeping? boolean islands that have come to rest, to rounding, cost nothing until something comes near them or a change reaches them: places and forces are those without it, to the bit; `sim.contacts` has theirs first
----@field solver? "auto"|"factor"|"sweeps" of contacts in motion, for study: Newton's steps with a factor, or sweeps over contact forces, alone. Equilibrium is always solved with a factor
+---@field solver? "auto"|"factor"|"sweeps"|"splitting" of contacts in motion, for study: Newton's steps with a factor, sweeps over contact forces, or the splitting, alone. Equilibrium is always solved with a factor
 ---@field recovery? boolean smoothed stress for output and probes, beside the raw one
 
 ---@class talus.velocity_damping

@@ -174,7 +174,8 @@ void summary(Tallies& tallies) {
     if (tally.costs.empty())
       std::printf("– | – | ");
     else
-      std::printf("%.1f | %.1f | ", (tally.costs[(tally.costs.size() - 1) / 2] + tally.costs[tally.costs.size() / 2]) / 2,
+      std::printf("%.1f | %.1f | ",
+                  (tally.costs[(tally.costs.size() - 1) / 2] + tally.costs[tally.costs.size() / 2]) / 2,
                   tally.costs.back());
     if (tally.worst_residual > 0)
       std::printf("%.0e |\n", tally.worst_residual);

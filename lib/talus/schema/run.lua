@@ -111,8 +111,8 @@ return {
       { name = "sleeping", type = "boolean", default = false,
         doc = "islands that have come to rest, to rounding, cost nothing until something comes near them or a change reaches"
             .. " them: places and forces are those without it, to the bit; `sim.contacts` has theirs first" },
-      { name = "solver", type = "enum", values = { "auto", "factor", "sweeps" }, default = "auto",
-        doc = "of contacts in motion, for study: Newton's steps with a factor, or sweeps over contact forces, alone."
+      { name = "solver", type = "enum", values = { "auto", "factor", "sweeps", "splitting" }, default = "auto",
+        doc = "of contacts in motion, for study: Newton's steps with a factor, sweeps over contact forces, or the splitting, alone."
             .. " Equilibrium is always solved with a factor" },
       { name = "recovery", type = "boolean", default = true,
         doc = "smoothed stress for output and probes, beside the raw one" },
