@@ -39,6 +39,10 @@ void visit_initial_stress(Model& model, StateVisitor& v) {
   for (const BlockShape& shape : model.shapes) stress.push_back(shape.initial_stress);
   v("initial_stress", stress);
   for (size_t b = 0; b < stress.size(); ++b) model.shapes[b].initial_stress = stress[b];
+  for (QuadraticShape& shape : model.quadratic_shapes) {
+    v("stress_x", shape.stress_x);
+    v("stress_y", shape.stress_y);
+  }
 }
 
 }  // namespace
@@ -161,11 +165,9 @@ void visit_state(BlockShape& shape, StateVisitor& v) {
 }
 
 void visit_state(QuadraticShape& shape, StateVisitor& v) {
-  auto& [moments, stress_x, stress_y] = shape;
+  auto& [moments, stress_x, stress_y] = shape;  // the stresses change: visit_initial_stress()
   v("third", moments.third);
   v("fourth", moments.fourth);
-  v("stress_x", stress_x);
-  v("stress_y", stress_y);
 }
 
 void visit_state(JointPoints& points, StateVisitor& v) {

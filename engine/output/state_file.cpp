@@ -19,8 +19,8 @@ constexpr std::string_view magic = "talus saved state\n";
 // loads within a jump; 14: what contacts climb; 15: what they were pressed by as a load step began; 16: what a script
 // has changed since; 17: what contacts slid by in the last step; 18: no block is weighed apart; 19: what smooth
 // contacts climbed in a load step; 20: second-order blocks whose edges bend; 21: joints on several sides;
-// 22: islands whose contacts keep their states
-constexpr std::uint64_t format = 22;
+// 22: islands whose contacts keep their states; 23: gradients of the initial stress
+constexpr std::uint64_t format = 23;
 
 // FNV-1a by eight bytes at a time, an eighth of the time: each step is a bijection, so that no single change goes
 // unseen.
