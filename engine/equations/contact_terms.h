@@ -89,8 +89,12 @@ class ContactTerms {
 
   const std::vector<ContactRows>& rows() const { return rows_; }
   double factor() const { return factor_; }
-  double pressed_in(const ContactRows& row, const Vector& d) const {  // m, at the solution d; negative: apart
-    return -(row.gap0 + factor_ * row.along(row.normal_i, row.normal_j, d));
+  // m, at the solution d
+  double gap(const ContactRows& row, const Vector& d) const {
+    return row.gap0 + factor_ * row.along(row.normal_i, row.normal_j, d);
+  }
+  double slide(const ContactRows& row, const Vector& d) const {
+    return row.slide0 + factor_ * row.along(row.shear_i, row.shear_j, d);
   }
 
  private:

@@ -201,7 +201,7 @@ void IslandSolver::solve_together(const Step& step, int island, IslandResult& re
 void IslandSolver::watch(const Step& step, const Vector& d, IslandResult& result) {
   const auto pressed = [&](int k) {
     const ContactRows& row = step.contacts.rows()[k];
-    if (row.near || row.gap0 + step.contacts.factor() * row.along(row.normal_i, row.normal_j, d) >= 0) return;
+    if (row.near || step.contacts.gap(row, d) >= 0) return;
     result.missed = true;
     result.converged = false;
     for (const int b : {row.i, row.j}) missed_.push_back(b);
@@ -218,7 +218,7 @@ void IslandSolver::store(Model& model, const ContactTerms& contacts, const Vecto
     Contact& contact = model.contacts[row.contact];
     contact.deeper = 0;
     if (left(row.i) && left(row.j)) continue;
-    OpenClose::store(row, contacts.factor(), d, contact);
+    OpenClose::store(contacts, row, d, contact);
     if (motion) contact.end_sliding();
   }
 }

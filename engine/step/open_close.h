@@ -62,7 +62,7 @@ class OpenClose {
   // Residual at d, as solve() has it.
   OpenCloseResult judge(const ContactProblem& problem, const Vector& d);
   // State, forces and stretch of a contact at the solution d of the step; factor: ContactTerms::factor().
-  static void store(const ContactRows& row, double factor, const Vector& d, Contact& contact);
+  static void store(const ContactTerms& contacts, const ContactRows& row, const Vector& d, Contact& contact);
 
  private:
   void start(const ContactProblem& problem);

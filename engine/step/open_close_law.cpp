@@ -19,8 +19,8 @@ void OpenClose::evaluate(const ContactProblem& problem, const Vector& d) {
   const auto& rows = problem.contacts.rows();
   missed_ = false;
   for (size_t k = 0; k < rows.size(); ++k) {
-    gap_[k] = rows[k].gap0 + problem.contacts.factor() * rows[k].along(rows[k].normal_i, rows[k].normal_j, d);
-    slide_[k] = rows[k].slide0 + problem.contacts.factor() * rows[k].along(rows[k].shear_i, rows[k].shear_j, d);
+    gap_[k] = problem.contacts.gap(rows[k], d);
+    slide_[k] = problem.contacts.slide(rows[k], d);
     closed_[k] = rows[k].near && gap_[k] <= 0;
     missed_ = missed_ || (!rows[k].near && gap_[k] < 0);
   }
@@ -101,9 +101,8 @@ OpenCloseResult OpenClose::judge(const ContactProblem& problem, const Vector& d)
   return result;
 }
 
-void OpenClose::store(const ContactRows& row, double factor, const Vector& d, Contact& contact) {
-  const double gap = row.gap0 + factor * row.along(row.normal_i, row.normal_j, d);
-  const double slide = row.slide0 + factor * row.along(row.shear_i, row.shear_j, d);
+void OpenClose::store(const ContactTerms& contacts, const ContactRows& row, const Vector& d, Contact& contact) {
+  const double gap = contacts.gap(row, d), slide = contacts.slide(row, d);
   contact.normal_force = row.kn * std::max(0.0, -gap);
   const double limit = friction_limit(row, contact.normal_force), trial = row.ks * slide;
   contact.shear_force = std::clamp(trial, -limit, limit);

@@ -208,7 +208,7 @@ void OpenClose::follow_friction(ContactProblem& problem, Vector& d) {
     if (const int more = aimed_stuck_[k] - factored_stuck_[k]) changes.push_back({&row, true, true, more * f * row.ks});
     if (!aimed_closed_[k] || aimed_stuck_[k] || !(row.friction > 0)) continue;
     const double way = shear_[k] < 0 ? -1 : 1;
-    const double normal = -row.kn * (row.gap0 + f * row.along(row.normal_i, row.normal_j, d));
+    const double normal = -row.kn * problem.contacts.gap(row, d);
     row.add(row.shear_i, row.shear_j, shear_[k] - way * (row.friction * normal + row.cohesion), r_);
     changes.push_back({&row, true, false, -way * row.friction * f * row.kn});
   }

@@ -203,8 +203,8 @@ bool OpenClose::pivot(ContactProblem& problem, Chosen& chosen, Vector& d) {
       columns.push_back(column(row, row.normal_i, row.normal_j));
       columns.push_back(column(row, row.shear_i, row.shear_j));
     }
-    held[2 * c] = row.gap0 + f * row.along(row.normal_i, row.normal_j, d);
-    held[2 * c + 1] = row.slide0 + f * row.along(row.shear_i, row.shear_j, d);
+    held[2 * c] = problem.contacts.gap(row, d);
+    held[2 * c + 1] = problem.contacts.slide(row, d);
     spring[2 * c] = factored_closed_[k] ? row.kn : 0;
     spring[2 * c + 1] = factored_stuck_[k] ? row.ks : 0;
   }

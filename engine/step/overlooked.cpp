@@ -48,13 +48,13 @@ class Hindsight {
 
   std::optional<BlockPair> presses_apart(const ContactTerms& contacts, const Vector& d) {
     double most = 0;
-    for (const ContactRows& row : contacts.rows()) most = std::max(most, contacts.pressed_in(row, d));
+    for (const ContactRows& row : contacts.rows()) most = std::max(most, -contacts.gap(row, d));
     for (const ContactRows& row : contacts.rows()) {
       const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), BlockPair(std::minmax(row.i, row.j)));
       if (at == pairs_.end() || *at != BlockPair(std::minmax(row.i, row.j))) continue;
       const Contact& contact = model_.contacts[row.contact];
       asked_[size_t(at - pairs_.begin())] = 1;
-      const double pressed = contacts.pressed_in(row, d);
+      const double pressed = -contacts.gap(row, d);
       if (pressed <= 0) continue;
       double& known = known_[at - pairs_.begin()];
       known = std::max(known, pressed + contact.offset);

@@ -53,7 +53,7 @@ TurningWork work_of_turning(const Model& model, const ContactTerms& contacts, co
   for (const ContactRows& row : contacts.rows()) {
     const double turned = larger_turn(model, moved, row);
     if (turned <= least) continue;
-    const double pressed = contacts.pressed_in(row, d);
+    const double pressed = -contacts.gap(row, d);
     if (pressed <= 0) continue;
     const Contact& c = model.contacts[size_t(row.contact)];
     const double change = after(model, moved, c).gap() - before(model, c).gap();
@@ -86,7 +86,7 @@ double lift_of_turning(const Model& model, const ContactTerms& contacts, const S
   double sum = 0;
   for (const ContactRows& row : contacts.rows()) {
     if (larger_turn(model, moved, row) <= least) continue;
-    const double pressed = contacts.pressed_in(row, d);
+    const double pressed = -contacts.gap(row, d);
     if (pressed <= 0) continue;
     const Contact& c = model.contacts[size_t(row.contact)];
     sum -= row.kn * pressed * (parting(c, after(model, moved, c), moved) - parting(c, before(model, c), model.blocks));
