@@ -211,9 +211,7 @@ void BridgeTerms::store_tractions(Model& model) const {
 double bridge_energy(const Joint& joint) {
   double sum = 0;
   if (!joint.bridged) return sum;
-  for (const JointPoint& point : joint.points)
-    sum += point.weight / 2 *
-           (point.across.traction * std::max(0.0, point.across.now) + point.along.traction * point.along.now);
+  for (const JointPoint& point : joint.points) sum += bridge_energy(point);
   return sum;
 }
 

@@ -10,6 +10,7 @@
 //              f(worn) x/(reach + worn)             else; none for x < 0 across the joint.
 // The tangent of the falling branch is negative; the sum with the blocks is positive while blocks are smaller than
 // 2 E G/f² (fracture/reduction.h).
+#include <algorithm>
 #include <array>
 #include <unordered_map>
 
@@ -76,7 +77,12 @@ void begin_bridges(const Model& model, Joint& joint);
 // The present jumps of a bridged joint become its worst; it is bridged no more when nothing is left.
 void wear_bridges(const Model& model, Joint& joint);
 
-double bridge_energy(const Joint& joint);  // J/m, that comes back along the lines
+// J/m, that comes back along the lines; of a point of a joint that is bridged.
+double bridge_energy(const Joint& joint);
+inline double bridge_energy(const JointPoint& point) {
+  return point.weight / 2 *
+         (point.across.traction * std::max(0.0, point.across.now) + point.along.traction * point.along.now);
+}
 // J/m that bridges took from where the joint was `then`: work of the mean traction along the jump.
 double bridge_work(const Joint& now, const Joint& then);
 
