@@ -78,7 +78,7 @@ std::optional<std::array<BlockStrain, 2>> BondRelease::fail(int j) {
   BlockStrain &jumps_a = strain_of_jumps_.at(joint.a), &jumps_b = strain_of_jumps_.at(joint.b);
   const Neighbour a = neighbour(model_, joint.a, of_a, jumps_a, ahead_),
                   b = neighbour(model_, joint.b, of_b, jumps_b, ahead_);
-  const double missing = taken_over(joint) + a.change() + b.change() - bonds_.energy_of(model_, j, ahead_);
+  const double missing = a.change() + b.change() - bonds_.energy_of(model_, j, ahead_);
   BlockStrain from_a = felt_along(model_, joint, joint.a, a), from_b = felt_along(model_, joint, joint.b, b);
   if (missing > a.gives(from_a) + b.gives(from_b)) {
     from_a = a.felt;
@@ -90,15 +90,6 @@ std::optional<std::array<BlockStrain, 2>> BondRelease::fail(int j) {
   jumps_a -= of_a;
   jumps_b -= of_b;
   return std::array<BlockStrain, 2>{of_a - part * from_a, of_b - part * from_b};
-}
-
-// J/m, what contacts and bridges begin with, or a little more.
-double BondRelease::taken_over(const Joint& joint) const {
-  const JointProperty& property = model_.scene.properties[joint.property];
-  const BondTraction t = mean_traction(joint), left = property.reduction ? t : talus::taken_over(t, property.residual);
-  if (left.normal == 0 && left.shear == 0) return 0;
-  const double k = model_.stiffness_per_area(property, joint.a, joint.b);
-  return joint.length / (2 * k) * (left.normal * left.normal + left.shear * left.shear / property.shear_ratio);
 }
 
 }  // namespace talus

@@ -19,8 +19,6 @@ class BondRelease {
   std::optional<std::array<BlockStrain, 2>> fail(int joint);
 
  private:
-  double taken_over(const Joint& joint) const;
-
   const Model& model_;
   const JointTerms& bonds_;
   double ahead_;

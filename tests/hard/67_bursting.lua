@@ -71,3 +71,26 @@ for _, case in ipairs {
         mesh = { size = 0.28, kind = case.kind } } },
     time = { t_end = 30*u.ms } }, 5)
 end
+
+-- None of it keeps a bond from failing where it should: one that is sheared slowly under a pressure, at c + p tan φ, whatever springs
+-- are to take over. A load step is 1/700 of the way; inertia and the ends of the blocks leave 4e-3.
+for _, stiffness in ipairs { { per = "area", value = 1e10 }, 100, 0.2 } do
+  for order = 1, 2 do
+    local pressure, t_end = 5*u.MPa, 0.1
+    local rock = talus.material { name = "rock", density = 2500, young = 50*u.GPa, poisson = 0.2 }
+    local bond = talus.joint { name = "bond", friction = 30*u.deg, cohesion = 2*u.MPa, tension = 1*u.MPa, stiffness = stiffness }
+    local sim = talus.simulation { contact = bond, output = no_files,
+      regions = { talus.region { name = "pair", order = order, blocks = { talus.rect(0, 0, 0.2, 0.1), talus.rect(0, 0.1, 0.2, 0.2) }, bonded = true,
+                                 material = rock, joint = bond } },
+      loads = { talus.pressure { region = "pair", on = "top", value = { {0, 0}, {0.3*t_end, pressure} } } },
+      fix = { talus.fix { region = "pair", on = "bottom" },
+              talus.fix { name = "push", region = "pair", on = "top", x = true,
+                          displacement = { function(t) return 3e-4*math.max(0, t/t_end - 0.3) end, 0 } } },
+      time = { t_end = t_end, dt = t_end/1000 } }
+    local most = 0
+    for _ in sim:steps() do most = math.max(most, math.abs(sim.reactions.push[1])/0.2) end
+    local label = string.format("sheared under pressure, order %d, contacts %s: ", order, type(stiffness) == "table" and "1e10 N/m3" or stiffness .. " E/h")
+    talus.check.near(label .. "highest shear, Pa", most, 2*u.MPa + pressure*math.tan(30*u.deg), { rel = 8e-3 })
+    talus.check.equal(label .. "bonds that failed", sim.totals.failures, 1)
+  end
+end
