@@ -29,8 +29,8 @@ class Writer {
               good(-1e6, 1e6) + ", 0} } },\n  ";
     if (chance(4)) text += "boundaries = { talus.viscous { region = r0, on = {\"" + side() + "\"} } },\n  ";
     if (chance(5))
-      text +=
-          "numerics = { solver = \"" + one_of({"auto", "factor", "sweeps", "splitting"}) + "\", theta = " + good(0.5, 1) + " },\n  ";
+      text += "numerics = { solver = \"" + one_of({"auto", "factor", "sweeps", "splitting"}) +
+              "\", theta = " + good(0.5, 1) + " },\n  ";
     if (hole_ && chance(2))
       text += "charges = { talus.charge { hole = \"hole\", eos = talus.eos.polytropic { pressure = " + good(1e5, 1e8) +
               ", gamma = " + good(1.01, 2) + " }, gas_speed = " + good(0, 500) + " } },\n  ";
