@@ -9,7 +9,7 @@ BlockStrain strain_of(const Model& model, int block, double ahead) {
   const BlockShape& shape = model.shapes[block];
   const BlockState& state = model.blocks[block];
   const auto& v = state.velocity;
-  BlockStrain e(shape.second_order() ? 9 : 3);
+  BlockStrain e(strain_size(shape));
   e.head<3>() = state.strain + ahead / shape.length * Vec3(v[3], v[4], v[5]);
   for (int k = 3; k < e.size(); ++k) e[k] = (*state.bend)[k - 3] + ahead * v[k + 3];
   return e;
@@ -27,7 +27,7 @@ StrainMatrix strain_stiffness(const Model& model, int block) {
 
 BlockStrain initial_strain_force(const Model& model, int block) {
   const BlockShape& shape = model.shapes[block];
-  BlockStrain force(shape.second_order() ? 9 : 3);
+  BlockStrain force(strain_size(shape));
   force.head<3>() = shape.area * shape.initial_stress;
   if (shape.second_order()) force.tail<6>() = initial_bend_force(model, block);
   return force;

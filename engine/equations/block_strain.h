@@ -10,6 +10,9 @@ namespace talus {
 // What it stores is ½ e·Ke + e·f of it, K in N/m and f of its initial stress.
 using BlockStrain = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 9, 1>;
 using StrainMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 9, 9>;
+inline int strain_size(const BlockShape& shape) {
+  return shape.second_order() ? 9 : 3;
+}
 BlockStrain strain_of(const Model& model, int block, double ahead);  // s along the present velocities
 StrainMatrix strain_stiffness(const Model& model, int block);
 BlockStrain initial_strain_force(const Model& model, int block);

@@ -192,33 +192,29 @@ double BridgeMotion::shift_loss(const Model& model, const Scheme& scheme, const 
   return loss;
 }
 
-JointPoint BridgeMotion::led_to(const Model& model, size_t p) const {
-  const auto& [across, along] = points_[p].along;
-  JointPoint at = model.joints[points_[p].joint].points[size_t(points_[p].point)];
-  at.across.now = across.to;
-  at.along.now = along.to;
-  at.across.worn = worn_by(at.across, at.across.now);
-  at.along.worn = worn_by(at.along, std::abs(at.along.now));
-  at.across.traction = std::max(0.0, on_line(at.across, laws_[p].tension(at.along.worn, at.across.worn)));
-  at.along.traction = on_line(at.along, laws_[p].cohesion(at.along.worn, at.across.worn));
-  return at;
-}
-
-double BridgeMotion::more_stored(const Model& model) const {
-  double sum = 0;
-  for (size_t p = 0; p < points_.size(); ++p)
-    sum += bridge_energy(led_to(model, p)) -
-           bridge_energy(model.joints[points_[p].joint].points[size_t(points_[p].point)]);
-  return sum;
+double BridgeMotion::lead(const Model& model) {
+  double more = 0;
+  for (size_t p = 0; p < points_.size(); ++p) {
+    Point& point = points_[p];
+    const JointPoint& from = model.joints[point.joint].points[size_t(point.point)];
+    JointPoint& at = point.led_to = from;
+    at.across.now = point.along[0].to;
+    at.along.now = point.along[1].to;
+    at.across.worn = worn_by(at.across, at.across.now);
+    at.along.worn = worn_by(at.along, std::abs(at.along.now));
+    at.across.traction = std::max(0.0, on_line(at.across, laws_[p].tension(at.along.worn, at.across.worn)));
+    at.along.traction = on_line(at.along, laws_[p].cohesion(at.along.worn, at.across.worn));
+    more += bridge_energy(at) - bridge_energy(from);
+  }
+  return more;
 }
 
 double BridgeMotion::keep(Model& model) const {
   double taken = 0;
-  for (size_t p = 0; p < points_.size(); ++p) {
-    const Point& point = points_[p];
+  for (const Point& point : points_) {
     JointPoint& at = model.joints[point.joint].points[size_t(point.point)];
     for (const Direction& own : point.along) taken += at.weight * own.traction * (own.to - own.from);
-    at = led_to(model, p);
+    at = point.led_to;
     store_bridge_traction(model.joints[point.joint], at);
   }
   return taken;

@@ -22,8 +22,10 @@ class BridgeMotion {
   // J/m: what the bridges take along y less along X, which is the integrator's; without what the system's matrix makes
   // of their lines (ledger.cpp, book_linear). Before the model moves.
   double shift_loss(const Model& model, const Scheme& scheme, const Vector& d) const;
-  double more_stored(const Model& model) const;  // J/m, by the bridges after the step than before it, before keep()
-  // The step is accepted: jumps and tractions of the solution. J/m that the bridges have taken in it, along y.
+  // Asks the laws for where the solution leads. They may be the script's and fail: before the model moves. J/m that the
+  // bridges store more there.
+  double lead(const Model& model);
+  // The step is accepted, after lead(): its jumps and tractions. J/m that the bridges have taken in it, along y.
   double keep(Model& model) const;
 
  private:
@@ -45,8 +47,8 @@ class BridgeMotion {
     int joint, point;
     int dof_a, dof_b, size_a, size_b;
     std::array<Direction, 2> along;  // across the joint, along it
+    JointPoint led_to;               // by lead()
   };
-  JointPoint led_to(const Model& model, size_t point) const;
   void add_point(const Model& model, const Point& point, System& system) const;
 
   std::vector<Point> points_;

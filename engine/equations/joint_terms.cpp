@@ -311,17 +311,19 @@ std::array<BlockStrain, 2> JointTerms::strain_of_jump(const Model& model, int j,
   const std::array weights = {joint.weight_a, joint.weight_b};
   const std::array poses = {flown(model, joint.a, 0), flown(model, joint.b, 0)};
   std::array<BlockStrain, 2> strain;
-  for (size_t k = 0; k < 2; ++k) {
-    strain[k].setZero(model.shapes[blocks[k]].second_order() ? 9 : 3);
-    if (joint.kind != BondKind::exact || model.shapes[blocks[k]].dofs <= rigid_dofs) continue;
-    for (const JointPoint& point : joint.points) {
-      const Vec2 in_a = between(joint.in_a, point.at), in_b = between(joint.in_b, point.at);
-      const Vec2 jump = jump_ahead<max_dofs>(poses[0], in_a, poses[1], in_b, spin_of(model, joint), ahead);
-      strain[k] += face_rows(model, blocks[k], joint.normal, k == 0 ? in_a : in_b).transpose() *
-                   (weights[k] * point.weight * poses[k].rotation.back(jump));
-    }
-    strain[k] = strain_stiffness(model, blocks[k]).ldlt().solve(strain[k]);
+  for (size_t k = 0; k < 2; ++k) strain[k].setZero(strain_size(model.shapes[blocks[k]]));
+  if (joint.kind != BondKind::exact) return strain;
+  const auto strains = [&](size_t k) { return model.shapes[blocks[k]].dofs > rigid_dofs; };
+  for (const JointPoint& point : joint.points) {
+    const std::array in = {between(joint.in_a, point.at), between(joint.in_b, point.at)};
+    const Vec2 jump = jump_ahead<max_dofs>(poses[0], in[0], poses[1], in[1], spin_of(model, joint), ahead);
+    for (size_t k = 0; k < 2; ++k)
+      if (strains(k))
+        strain[k] += face_rows(model, blocks[k], joint.normal, in[k]).transpose() *
+                     (weights[k] * point.weight * poses[k].rotation.back(jump));
   }
+  for (size_t k = 0; k < 2; ++k)
+    if (strains(k)) strain[k] = strain_stiffness(model, blocks[k]).ldlt().solve(strain[k]);
   return strain;
 }
 

@@ -56,7 +56,7 @@ BondRelease::BondRelease(const Model& model, const JointTerms& bonds, const std:
     : model_(model), bonds_(bonds), ahead_(ahead) {
   for (const int j : due)
     for (const int block : {model.joints[j].a, model.joints[j].b})
-      strain_of_jumps_[block].setZero(model.shapes[block].second_order() ? 9 : 3);
+      strain_of_jumps_[block].setZero(strain_size(model.shapes[block]));
   for (int j = 0; j < int(model.joints.size()); ++j) {
     const Joint& joint = model.joints[j];
     if (joint.state != JointState::intact) continue;
@@ -79,17 +79,22 @@ std::optional<std::array<BlockStrain, 2>> BondRelease::fail(int j) {
   const Neighbour a = neighbour(model_, joint.a, of_a, jumps_a, ahead_),
                   b = neighbour(model_, joint.b, of_b, jumps_b, ahead_);
   const double missing = a.change() + b.change() - bonds_.energy_of(model_, j, ahead_);
-  BlockStrain from_a = felt_along(model_, joint, joint.a, a), from_b = felt_along(model_, joint, joint.b, b);
-  if (missing > a.gives(from_a) + b.gives(from_b)) {
-    from_a = a.felt;
-    from_b = b.felt;
+  std::array<BlockStrain, 2> strains = {of_a, of_b};
+  if (missing > 0) {
+    BlockStrain from_a = felt_along(model_, joint, joint.a, a), from_b = felt_along(model_, joint, joint.b, b);
+    if (missing > a.gives(from_a) + b.gives(from_b)) {
+      from_a = a.felt;
+      from_b = b.felt;
+    }
+    const double most = a.gives(from_a) + b.gives(from_b);
+    if (missing > most && most > 0 && !is_tracked(model_, joint)) return {};
+    const double part = most > 0 ? 1 - std::sqrt(std::max(0.0, 1 - missing / most)) : 0;  // gives 2s - s² of it
+    strains[0] -= part * from_a;
+    strains[1] -= part * from_b;
   }
-  const double most = a.gives(from_a) + b.gives(from_b);
-  if (missing > most && most > 0 && !is_tracked(model_, joint)) return {};
-  const double part = missing > 0 && most > 0 ? 1 - std::sqrt(std::max(0.0, 1 - missing / most)) : 0;  // 2s - s² of it
   jumps_a -= of_a;
   jumps_b -= of_b;
-  return std::array<BlockStrain, 2>{of_a - part * from_a, of_b - part * from_b};
+  return strains;
 }
 
 }  // namespace talus

@@ -61,7 +61,7 @@ class OpenClose {
   OpenCloseResult judge(const ContactProblem& problem);
   // Residual at d, as solve() has it.
   OpenCloseResult judge(const ContactProblem& problem, const Vector& d);
-  // State, forces and stretch of a contact at the solution d of the step; factor: ContactTerms::factor().
+  // State, forces and stretch of a contact at the solution d of the step.
   static void store(const ContactTerms& contacts, const ContactRows& row, const Vector& d, Contact& contact);
 
  private:

@@ -395,6 +395,7 @@ std::optional<ContactBooking> Stepper::contacts_at_start() {
 double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,
                        std::optional<Energies> start) {
   StepTimer timer(totals_, "update");
+  const double by_bridges = bridge_motion_.lead(model_);
   if (!booking) {
     ledger_.ahead = scheme.bond_ahead;
     return 0;
@@ -425,9 +426,9 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
   if (plan_.bonds && !parts_.fracture) parts_.joints.store_tractions(model_);  // else they are, to be judged
   if (!start) return 0;
   const Energies end = parts_.energies();
-  const double gained = end.own() + bridge_motion_.more_stored(model_) - start->own(),
-               put_in = std::abs(end.external - start->external) + std::abs(end.boundary - start->boundary) +
-                        std::abs(end.gas - start->gas);
+  const double gained = end.own() + by_bridges - start->own(), put_in = std::abs(end.external - start->external) +
+                                                                        std::abs(end.boundary - start->boundary) +
+                                                                        std::abs(end.gas - start->gas);
   return gained + ledger_.pay(-gained) - most_gain_of_work * put_in;
 }
 
