@@ -94,8 +94,8 @@ struct LinearSolver::Cholmod {
   cholmod_common common;
   cholmod_factor* factor = nullptr;
   bool good = false;
-  SupernodalSolve<double> exact;
-  SupernodalSolve<float> coarse;
+  SupernodalSolve exact;
+  CoarseSolve coarse;
   enum class Coarse { untried, serves, fails } coarse_state = Coarse::untried;
 
   Cholmod() {

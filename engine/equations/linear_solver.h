@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "equations/block_matrix.h"
+#include "equations/coarse_solve.h"
 #include "equations/compliance.h"
 
 namespace talus {

@@ -16,4 +16,33 @@ using Eight = double __attribute__((vector_size(64), aligned(64), may_alias));
 using Four = double __attribute__((vector_size(32), aligned(32)));
 using EightFloats = float __attribute__((vector_size(32), aligned(32), may_alias));
 
+// Eight that may lie anywhere, and half of them.
+template <class Scalar>
+struct Register;
+template <>
+struct Register<float> {
+  using Whole = float __attribute__((vector_size(32), aligned(4), may_alias));
+  using Half = float __attribute__((vector_size(16)));
+};
+template <>
+struct Register<double> {
+  using Whole = double __attribute__((vector_size(64), aligned(8), may_alias));
+  using Half = double __attribute__((vector_size(32)));
+};
+
+// The sum of each of four.
+template <class Scalar>
+TALUS_WITHIN void sum_up(const typename Register<Scalar>::Whole* parts, typename Register<Scalar>::Half& sums) {
+  using Half = Register<Scalar>::Half;
+  Half half[4];
+  for (int m = 0; m < 4; ++m)
+    half[m] = __builtin_shufflevector(parts[m], parts[m], 0, 1, 2, 3) +
+              __builtin_shufflevector(parts[m], parts[m], 4, 5, 6, 7);
+  const Half first =
+      __builtin_shufflevector(half[0], half[1], 0, 4, 2, 6) + __builtin_shufflevector(half[0], half[1], 1, 5, 3, 7);
+  const Half second =
+      __builtin_shufflevector(half[2], half[3], 0, 4, 2, 6) + __builtin_shufflevector(half[2], half[3], 1, 5, 3, 7);
+  sums = __builtin_shufflevector(first, second, 0, 1, 4, 5) + __builtin_shufflevector(first, second, 2, 3, 6, 7);
+}
+
 }  // namespace talus

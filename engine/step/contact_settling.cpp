@@ -11,18 +11,13 @@ using FourColumns = std::array<const Lanes<size>*, 4>;
 template <int size>
 TALUS_WITHIN void four_along(const FourColumns<size>& a, const FourColumns<size>& x, const FourColumns<size>& b,
                              const FourColumns<size>& y, Four& sums) {
-  Four half[4];
+  Register<double>::Whole parts[4];
   for (size_t c = 0; c < 4; ++c) {
-    Eight sum = eight(*a[c], 0) * eight(*x[c], 0) + eight(*b[c], 0) * eight(*y[c], 0);
+    parts[c] = eight(*a[c], 0) * eight(*x[c], 0) + eight(*b[c], 0) * eight(*y[c], 0);
     for (size_t k = 1; k < std::size(a[c]->v) / 8; ++k)
-      sum += eight(*a[c], k) * eight(*x[c], k) + eight(*b[c], k) * eight(*y[c], k);
-    half[c] = __builtin_shufflevector(sum, sum, 0, 1, 2, 3) + __builtin_shufflevector(sum, sum, 4, 5, 6, 7);
+      parts[c] += eight(*a[c], k) * eight(*x[c], k) + eight(*b[c], k) * eight(*y[c], k);
   }
-  const Four first =
-      __builtin_shufflevector(half[0], half[1], 0, 4, 2, 6) + __builtin_shufflevector(half[0], half[1], 1, 5, 3, 7);
-  const Four second =
-      __builtin_shufflevector(half[2], half[3], 0, 4, 2, 6) + __builtin_shufflevector(half[2], half[3], 1, 5, 3, 7);
-  sums = __builtin_shufflevector(first, second, 0, 1, 4, 5) + __builtin_shufflevector(first, second, 2, 3, 6, 7);
+  sum_up<double>(parts, sums);
 }
 
 template <int size>
