@@ -148,19 +148,23 @@ void ContactTerms::linearise(const Model& model, Poses& poses, const Scheme& sch
     with_size(second, [&](auto n) { set_rows<n>(model, contact, poses, at, on, row); });
     const Rates &vi = model.blocks[contact.i].velocity, &vj = model.blocks[contact.j].velocity;
     const double sliding = dot(row.shear_i, vi) + dot(row.shear_j, vj);
+    const double approach = dot(row.normal_i, vi) + dot(row.normal_j, vj);
     row.climb = climb(model, contact, sliding, scheme.dt);
     if (row.climb != 0) add_slope(row);
-    const double approach = dot(row.normal_i, vi) + dot(row.normal_j, vj);
-    row.gap0 = on.gap + contact.offset + scheme.contact_v * approach +
-               scheme.bond_ahead * on.normal.dot(model.rising(contact.i) - model.rising(contact.j));
-    if (contact.lies) row.gap0 = scheme.dt * approach - contact.normal_force / contact.normal_stiffness;
     row.rounding = contact.lies ? 0 : rounding_of_gap(model, contact);
     row.faster = model.faster_along(contact.i, row.shear_i) + model.faster_along(contact.j, row.shear_j);
     // Springs are unstrained where blocks lie, at X: before the first step y is X, as if nothing had moved. What moves
     // with its floor has not slid then.
     if (model.time == 0)
       row.faster += (row.size_i > 0 ? dot(row.shear_i, vi) : 0) + (row.size_j > 0 ? dot(row.shear_j, vj) : 0);
-    row.slide0 = contact.stretch + scheme.step_v * sliding + scheme.bond_ahead * row.faster;
+    const double slid = scheme.step_v * sliding + scheme.bond_ahead * row.faster;
+    row.slide0 = contact.stretch + slid;
+    // What has climbed is what slides from y to y; from X a change of speed alone would lift it.
+    row.gap0 =
+        (contact.lies ? scheme.dt * approach - contact.normal_force / contact.normal_stiffness
+                      : on.gap + contact.offset + scheme.contact_v * approach +
+                            scheme.bond_ahead * on.normal.dot(model.rising(contact.i) - model.rising(contact.j))) -
+        row.climb * slid;
     row.kn = contact.normal_stiffness;
     row.ks = contact.shear_stiffness;
     row.friction = stick ? std::numeric_limits<double>::infinity() : std::tan(strength.friction);

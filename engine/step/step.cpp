@@ -120,13 +120,16 @@ StepReport Stepper::dynamic_step(double most) {
     const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved_, dt) : std::vector<double>{};
     std::optional<Restitution> restitution;
     if (plan_.restitution) restitution.emplace(model_, parts_.contacts);
-    const double gained = accept(scheme, course.d, contacts_at_start(), start.energies);
+    std::optional<StepSize> instead;
+    if (start.changed && !regretted) instead = regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most);
+    const double gained = accept(scheme, course.d, contacts_at_start(), start.energies, !instead);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last
     // step's length.
     const bool gains = start.energies && gained > most_gain * stored(*start.energies);
     if (regretted) {
       step_size_.regretted(!gains);
-    } else if (gains && start.changed && regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most)) {
+    } else if (gains && instead) {
+      step_size_ = *instead;
       regretted = true;
       count_cut();
       continue;
@@ -162,16 +165,16 @@ void Stepper::shorten() {
   step_size_.stop_in(next_bend(model_.scene, model_.time + step_size_.least()) - model_.time);
 }
 
-// Whether a step is to be taken again, as one of `last`. Not where outputs, rows of tables or the end would make it the
-// same again.
-bool Stepper::regret(double dt, double last, double most) {
-  if (!step_size_.may_regret()) return false;
+// To take a step again with, as one of `last`; none where outputs, rows of tables or the end would make it the same
+// again.
+std::optional<StepSize> Stepper::regret(double dt, double last, double most) {
+  if (!step_size_.may_regret()) return {};
   const StepSize before = step_size_;
   step_size_.regret(dt, last);
   shorten();
-  if (std::min(next_dt(), most) != dt) return true;
-  step_size_ = before;
-  return false;
+  const bool other = std::min(next_dt(), most) != dt;
+  const StepSize instead = std::exchange(step_size_, before);
+  return other ? std::optional(instead) : std::nullopt;
 }
 
 Stepper::Start Stepper::begin(const Scheme& scheme, Attempt& attempt, bool regretted) {
@@ -393,7 +396,7 @@ std::optional<ContactBooking> Stepper::contacts_at_start() {
 }
 
 double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,
-                       std::optional<Energies> start) {
+                       std::optional<Energies> start, bool for_good) {
   StepTimer timer(totals_, "update");
   const double by_bridges = bridge_motion_.lead(model_);
   if (!booking) {
@@ -407,7 +410,7 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
   double lift =
       book_motion({model_, parts_.poses, parts_.system, parts_.joints, parts_.supports, scheme, d, moved_}, ledger_);
   if (plan_.contacts && scheme.bond_ahead > 0)
-    lift += lift_of_turning(model_, parts_.contacts, scheme, d, moved_, no_turn);
+    lift += lift_of_turning(model_, parts_.contacts, scheme, d, moved_, no_turn, for_good);
   if (lift > 0 && !start) {  // for what this step loses to pay for it
     const Ledger booked = std::exchange(ledger_, before);
     start = parts_.energies();

@@ -37,6 +37,24 @@ Meeting after(const Model& model, const std::vector<BlockState>& moved, const Co
   return {place(c.i, c.global_vertex), place(c.j, c.global_edge), place(c.j, end)};
 }
 
+// m/s, of the gap, as the step begins.
+double opening(const Model& model, const Contact& c, const ContactRows& row) {
+  const auto speed = [&](int block, const Row& normal) {
+    const int dofs = model.shapes[size_t(block)].dofs;
+    return dot(normal, model.blocks[size_t(block)].velocity.data(), dofs > 0 ? dofs : rigid_dofs);
+  };
+  return speed(c.i, row.normal_i) + speed(c.j, row.normal_j);
+}
+
+// m, by which the straight line of this step begins above the end of that of the last, of a contact that pressed then:
+// both are read at y as the step begins.
+double parted(const Model& model, const Scheme& scheme, const Contact& c, const ContactRows& row) {
+  const double faster = model.faster_along(c.i, row.normal_i) + model.faster_along(c.j, row.normal_j);
+  const double gap = row.gap0 - scheme.step_v * opening(model, c, row) - scheme.bond_ahead * faster;
+  const double parted = gap + c.normal_force / c.normal_stiffness;
+  return std::abs(parted) > row.rounding ? parted : 0;
+}
+
 }  // namespace
 
 double largest_turn_of_pressed(const Model& model, const std::vector<BlockState>& moved) {
@@ -57,12 +75,8 @@ TurningWork work_of_turning(const Model& model, const ContactTerms& contacts, co
     if (pressed <= 0) continue;
     const Contact& c = model.contacts[size_t(row.contact)];
     const double change = after(model, moved, c).gap() - before(model, c).gap();
-    const auto velocity = [&](int block, const Row& normal) {
-      const int dofs = model.shapes[size_t(block)].dofs;
-      return dot(normal, model.blocks[size_t(block)].velocity.data(), dofs > 0 ? dofs : rigid_dofs);
-    };
-    const double straight_on = scheme.step_v * (velocity(c.i, row.normal_i) + velocity(c.j, row.normal_j)) +
-                               scheme.move_d * row.along(row.normal_i, row.normal_j, d);
+    const double straight_on =
+        scheme.step_v * opening(model, c, row) + scheme.move_d * row.along(row.normal_i, row.normal_j, d);
     const double work = row.kn * pressed * std::abs(change - straight_on);
     sum.all += work;
     if (turned > straight) sum.of_turns += work;
@@ -71,7 +85,7 @@ TurningWork work_of_turning(const Model& model, const ContactTerms& contacts, co
 }
 
 double lift_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
-                       const std::vector<BlockState>& moved, double least) {
+                       const std::vector<BlockState>& moved, double least, bool exactly) {
   // m/s at which the blocks part by the mean of the step's rates, were they where `blocks` has them and as rigid.
   const auto parting = [&](const Contact& c, const Meeting& meeting, const std::vector<BlockState>& blocks) {
     const Vec2 along = meeting.along(), normal = -perp(along), foot = meeting.at - meeting.gap() * normal;
@@ -85,13 +99,16 @@ double lift_of_turning(const Model& model, const ContactTerms& contacts, const S
   };
   double sum = 0;
   for (const ContactRows& row : contacts.rows()) {
-    if (larger_turn(model, moved, row) <= least) continue;
     const double pressed = -contacts.gap(row, d);
     if (pressed <= 0) continue;
     const Contact& c = model.contacts[size_t(row.contact)];
-    sum -= row.kn * pressed * (parting(c, after(model, moved, c), moved) - parting(c, before(model, c), model.blocks));
+    if (exactly && c.normal_force > 0 && c.deeper == 0 && model.time > 0)
+      sum -= row.kn * pressed * parted(model, scheme, c, row);
+    else if (larger_turn(model, moved, row) > least)
+      sum -= scheme.bond_ahead * row.kn * pressed *
+             (parting(c, after(model, moved, c), moved) - parting(c, before(model, c), model.blocks));
   }
-  return scheme.bond_ahead * sum;
+  return sum;
 }
 
 }  // namespace talus
