@@ -120,16 +120,13 @@ StepReport Stepper::dynamic_step(double most) {
     const std::vector<double> kept = plan_.damping ? kept_velocities(model_, moved_, dt) : std::vector<double>{};
     std::optional<Restitution> restitution;
     if (plan_.restitution) restitution.emplace(model_, parts_.contacts);
-    std::optional<StepSize> instead;
-    if (start.changed && !regretted) instead = regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most);
-    const double gained = accept(scheme, course.d, contacts_at_start(), start.energies, !instead);
+    const double gained = accept(scheme, course.d, contacts_at_start(), start.energies);
     // What presses and moves may lie in y, as the step changes, where nothing paid for it: then once more with the last
     // step's length.
     const bool gains = start.energies && gained > most_gain * stored(*start.energies);
     if (regretted) {
       step_size_.regretted(!gains);
-    } else if (gains && instead) {
-      step_size_ = *instead;
+    } else if (gains && start.changed && regret(dt, dt * attempt.ahead_before() / scheme.bond_ahead, most)) {
       regretted = true;
       count_cut();
       continue;
@@ -165,16 +162,16 @@ void Stepper::shorten() {
   step_size_.stop_in(next_bend(model_.scene, model_.time + step_size_.least()) - model_.time);
 }
 
-// To take a step again with, as one of `last`; none where outputs, rows of tables or the end would make it the same
-// again.
-std::optional<StepSize> Stepper::regret(double dt, double last, double most) {
-  if (!step_size_.may_regret()) return {};
+// Whether a step is to be taken again, as one of `last`. Not where outputs, rows of tables or the end would make it the
+// same again.
+bool Stepper::regret(double dt, double last, double most) {
+  if (!step_size_.may_regret()) return false;
   const StepSize before = step_size_;
   step_size_.regret(dt, last);
   shorten();
-  const bool other = std::min(next_dt(), most) != dt;
-  const StepSize instead = std::exchange(step_size_, before);
-  return other ? std::optional(instead) : std::nullopt;
+  if (std::min(next_dt(), most) != dt) return true;
+  step_size_ = before;
+  return false;
 }
 
 Stepper::Start Stepper::begin(const Scheme& scheme, Attempt& attempt, bool regretted) {
@@ -396,7 +393,7 @@ std::optional<ContactBooking> Stepper::contacts_at_start() {
 }
 
 double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,
-                       std::optional<Energies> start, bool for_good) {
+                       std::optional<Energies> start) {
   StepTimer timer(totals_, "update");
   const double by_bridges = bridge_motion_.lead(model_);
   if (!booking) {
@@ -409,9 +406,12 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
   const Ledger before = ledger_;
   double lift =
       book_motion({model_, parts_.poses, parts_.system, parts_.joints, parts_.supports, scheme, d, moved_}, ledger_);
+  Lift turning;
   if (plan_.contacts && scheme.bond_ahead > 0)
-    lift += lift_of_turning(model_, parts_.contacts, scheme, d, moved_, no_turn, for_good);
-  if (lift > 0 && !start) {  // for what this step loses to pay for it
+    turning = lift_of_turning(model_, parts_.contacts, scheme, d, moved_, no_turn);
+  lift += turning.by_bend;
+  const double lift_by_law = lift - turning.by_bend + turning.by_law;
+  if (std::max(lift, lift_by_law) > 0 && !start) {  // for what this step loses to pay for it
     const Ledger booked = std::exchange(ledger_, before);
     start = parts_.energies();
     ledger_ = booked;
@@ -432,7 +432,9 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
   const double gained = end.own() + by_bridges - start->own(), put_in = std::abs(end.external - start->external) +
                                                                         std::abs(end.boundary - start->boundary) +
                                                                         std::abs(end.gas - start->gas);
-  return gained + ledger_.pay(-gained) - most_gain_of_work * put_in;
+  const double paid = ledger_.pay(-gained);
+  ledger_.unpaid += std::max(0.0, std::min(gained - put_in, lift_by_law - std::max(0.0, lift)));
+  return gained + paid - most_gain_of_work * put_in;
 }
 
 // What the way from X to y holds is the integrator's.

@@ -54,7 +54,7 @@ class Stepper {
   Scheme scheme(double dt) const;
   double next_dt() const;
   void shorten();
-  std::optional<StepSize> regret(double dt, double last, double most);
+  bool regret(double dt, double last, double most);
   // The energies before the step, where what it loses pays for what is unpaid; `changed`: it is another than the last
   // and may add to them.
   struct Start {
@@ -82,10 +82,10 @@ class Stepper {
   bool all_still() const;
   // For the ledger; none where nothing has moved in the step, and nothing did before it: then there is nothing to book.
   std::optional<ContactBooking> contacts_at_start();
-  // Returns what the step has added to the energy it began with, where that is given; `for_good`: it is not to be taken
-  // again for that. The model's states are in moved_ afterwards.
+  // Returns what the step has added to the energy it began with, where that is given. The model's states are in moved_
+  // afterwards.
   double accept(const Scheme& scheme, const Vector& d, const std::optional<ContactBooking>& booking,
-                std::optional<Energies> start, bool for_good);
+                std::optional<Energies> start);
   void change_step(double ahead);
   [[noreturn]] void give_up(const Course& course, double dt) const;  // step/no_step.cpp
 

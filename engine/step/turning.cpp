@@ -84,8 +84,8 @@ TurningWork work_of_turning(const Model& model, const ContactTerms& contacts, co
   return sum;
 }
 
-double lift_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
-                       const std::vector<BlockState>& moved, double least, bool exactly) {
+Lift lift_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
+                     const std::vector<BlockState>& moved, double least) {
   // m/s at which the blocks part by the mean of the step's rates, were they where `blocks` has them and as rigid.
   const auto parting = [&](const Contact& c, const Meeting& meeting, const std::vector<BlockState>& blocks) {
     const Vec2 along = meeting.along(), normal = -perp(along), foot = meeting.at - meeting.gap() * normal;
@@ -97,18 +97,21 @@ double lift_of_turning(const Model& model, const ContactTerms& contacts, const S
     };
     return speed(c.i, meeting.at) - speed(c.j, foot);
   };
-  double sum = 0;
+  Lift lift;
   for (const ContactRows& row : contacts.rows()) {
     const double pressed = -contacts.gap(row, d);
     if (pressed <= 0) continue;
     const Contact& c = model.contacts[size_t(row.contact)];
-    if (exactly && c.normal_force > 0 && c.deeper == 0 && model.time > 0)
-      sum -= row.kn * pressed * parted(model, scheme, c, row);
-    else if (larger_turn(model, moved, row) > least)
-      sum -= scheme.bond_ahead * row.kn * pressed *
-             (parting(c, after(model, moved, c), moved) - parting(c, before(model, c), model.blocks));
+    double by_bend = 0;
+    if (larger_turn(model, moved, row) > least)
+      by_bend = -scheme.bond_ahead * row.kn * pressed *
+                (parting(c, after(model, moved, c), moved) - parting(c, before(model, c), model.blocks));
+    const bool smooth = row.friction == 0 && row.cohesion == 0,
+               went_on = c.normal_force > 0 && c.deeper == 0 && model.time > 0;
+    lift.by_bend += by_bend;
+    lift.by_law += smooth && went_on ? -row.kn * pressed * parted(model, scheme, c, row) : by_bend;
   }
-  return sum;
+  return lift;
 }
 
 }  // namespace talus

@@ -22,10 +22,15 @@ TurningWork work_of_turning(const Model& model, const ContactTerms& contacts, co
                             const std::vector<BlockState>& moved, double least, double straight);
 
 // J/m, by which the step lifts y beyond what the forces that solve it give: y = X + ahead·v lies on the tangent of a
-// path that bends as what presses turns, ahead Σ N Δn·v (theory, § 9). Of contacts as above, n with its levers.
-// `exactly`: of those that pressed as the step began, what their gaps at y are other than the last step left them with,
-// which counts turns of both steps.
-double lift_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
-                       const std::vector<BlockState>& moved, double least, bool exactly);
+// path that bends as what presses turns (theory, § 9).
+struct Lift {
+  // ahead Σ N Δn·v of this step's turns, of contacts as above, n with its levers
+  double by_bend = 0;
+  // the same, but of those without friction that pressed as the step began N times what their gaps at y are less than
+  // the last step left them with: the turns of both steps
+  double by_law = 0;
+};
+Lift lift_of_turning(const Model& model, const ContactTerms& contacts, const Scheme& scheme, const Vector& d,
+                     const std::vector<BlockState>& moved, double least);
 
 }  // namespace talus
