@@ -433,6 +433,7 @@ double Stepper::accept(const Scheme& scheme, const Vector& d, const std::optiona
                                                                         std::abs(end.boundary - start->boundary) +
                                                                         std::abs(end.gas - start->gas);
   const double paid = ledger_.pay(-gained);
+  // What a smooth contact has lifted, by the turn of the step before too, is lent where it was not lost at once.
   ledger_.unpaid += std::max(0.0, std::min(gained - put_in, lift_by_law - std::max(0.0, lift)));
   return gained + paid - most_gain_of_work * put_in;
 }
