@@ -53,49 +53,63 @@ TALUS_WITHIN void backward(int own, std::span<const int> chunks, const float* be
   for (int m = 0; m < columns; ++m) y[own + m] = x[m];
 }
 
+// way.of<columns>(), of which there are few.
+template <class Way>
+TALUS_WITHIN auto with_columns(int columns, const Way& way) {
+  switch (columns) {
+    case 1:
+      return way.template of<1>();
+    case 2:
+      return way.template of<2>();
+    case 3:
+      return way.template of<3>();
+    case 4:
+      return way.template of<4>();
+    case 5:
+      return way.template of<5>();
+    case 6:
+      return way.template of<6>();
+    case 7:
+      return way.template of<7>();
+    default:
+      return way.template of<wide>();
+  }
+}
+
 struct View {
   const CoarseSolve::Panel* panels;
   const int *panel_begin, *chunks;
   const float *below, *squares;
+};
 
-  template <bool back, int columns>
-  TALUS_WITHIN void pass(const CoarseSolve::Panel& panel, float* y) const {
-    const std::span<const int> of_panel(chunks + panel.chunk_begin, chunks + panel.chunk_end);
+template <bool back>
+struct Pass {
+  const View& view;
+  const CoarseSolve::Panel& panel;
+  float* y;
+
+  template <int columns>
+  TALUS_WITHIN void of() const {
+    const std::span<const int> chunks(view.chunks + panel.chunk_begin, view.chunks + panel.chunk_end);
     if constexpr (back)
-      backward<columns>(panel.first, of_panel, below + panel.below, squares + panel.square, y);
+      backward<columns>(panel.first, chunks, view.below + panel.below, view.squares + panel.square, y);
     else
-      forward<columns>(panel.first, of_panel, below + panel.below, y);
-  }
-  template <bool back>
-  TALUS_WITHIN void pass(const CoarseSolve::Panel& panel, float* y) const {
-    switch (panel.columns) {
-      case 1:
-        return pass<back, 1>(panel, y);
-      case 2:
-        return pass<back, 2>(panel, y);
-      case 3:
-        return pass<back, 3>(panel, y);
-      case 4:
-        return pass<back, 4>(panel, y);
-      case 5:
-        return pass<back, 5>(panel, y);
-      case 6:
-        return pass<back, 6>(panel, y);
-      case 7:
-        return pass<back, 7>(panel, y);
-      default:
-        return pass<back, wide>(panel, y);
-    }
+      forward<columns>(panel.first, chunks, view.below + panel.below, y);
   }
 };
+
+template <bool back>
+TALUS_WITHIN void pass(const View& view, int p, float* y) {
+  const CoarseSolve::Panel& panel = view.panels[p];
+  with_columns(panel.columns, Pass<back>{view, panel, y});
+}
 
 // y becomes (N D Nᵀ)⁻¹ y, by supernodes of which each leads to others among them.
 TALUS_WIDE void substitute(const View& view, std::span<const int> supernodes, float* y) {
   for (const int s : supernodes)
-    for (int p = view.panel_begin[s]; p < view.panel_begin[s + 1]; ++p) view.pass<false>(view.panels[p], y);
+    for (int p = view.panel_begin[s]; p < view.panel_begin[s + 1]; ++p) pass<false>(view, p, y);
   for (size_t k = supernodes.size(); k-- > 0;)
-    for (int p = view.panel_begin[supernodes[k] + 1]; p-- > view.panel_begin[supernodes[k]];)
-      view.pass<true>(view.panels[p], y);
+    for (int p = view.panel_begin[supernodes[k] + 1]; p-- > view.panel_begin[supernodes[k]];) pass<true>(view, p, y);
 }
 
 // What a panel is made of: its columns of L, `height` long, of which its square begins at `begin`.
@@ -148,44 +162,34 @@ TALUS_WITHIN void read(const Source& from, int k, int end, int chunk, Eight* val
   }
 }
 
-template <int n>
-TALUS_WITHIN bool fill_panel(const Source& from, std::span<const int> chunks, float* below, float* square) {
-  double inverse[wide][wide] = {};  // of the square of L, [row][column]
-  if (!invert_square<n>(from, inverse, square)) return false;
-  int k = from.begin + n;
-  for (const int chunk : chunks) {
-    const int begin = k;
-    while (k < from.height && from.rows[k] < chunk + wide) ++k;
-    Eight values[n];
-    read<n>(from, begin, k, chunk, values);
-    for (int m = 0; m < n; ++m, below += wide) {
-      Eight sum = values[m] * inverse[m][m];
-      for (int l = m + 1; l < n; ++l) sum += values[l] * inverse[l][m];
-      at(below) = __builtin_convertvector(sum, Chunk);
-    }
-  }
-  return true;
-}
+struct Filling {
+  const Source& from;
+  std::span<const int> chunks;
+  float *below, *square;
 
-TALUS_WIDE bool fill_panel(int columns, const Source& from, std::span<const int> chunks, float* below, float* square) {
-  switch (columns) {
-    case 1:
-      return fill_panel<1>(from, chunks, below, square);
-    case 2:
-      return fill_panel<2>(from, chunks, below, square);
-    case 3:
-      return fill_panel<3>(from, chunks, below, square);
-    case 4:
-      return fill_panel<4>(from, chunks, below, square);
-    case 5:
-      return fill_panel<5>(from, chunks, below, square);
-    case 6:
-      return fill_panel<6>(from, chunks, below, square);
-    case 7:
-      return fill_panel<7>(from, chunks, below, square);
-    default:
-      return fill_panel<wide>(from, chunks, below, square);
+  template <int n>
+  TALUS_WITHIN bool of() const {
+    double inverse[wide][wide] = {};  // of the square of L, [row][column]
+    if (!invert_square<n>(from, inverse, square)) return false;
+    int k = from.begin + n;
+    float* to = below;
+    for (const int chunk : chunks) {
+      const int begin = k;
+      while (k < from.height && from.rows[k] < chunk + wide) ++k;
+      Eight values[n];
+      read<n>(from, begin, k, chunk, values);
+      for (int m = 0; m < n; ++m, to += wide) {
+        Eight sum = values[m] * inverse[m][m];
+        for (int l = m + 1; l < n; ++l) sum += values[l] * inverse[l][m];
+        at(to) = __builtin_convertvector(sum, Chunk);
+      }
+    }
+    return true;
   }
+};
+
+TALUS_WIDE bool fill_panel(int columns, const Filling& filling) {
+  return with_columns(columns, filling);
 }
 
 }  // namespace
@@ -249,7 +253,7 @@ bool CoarseSolve::fill(const SupernodalFactor& factor, size_t s) {
     for (int m = 0; m < panel.columns; ++m)
       from.column[m] = &factor.values[size_t(factor.value_begin[s]) + size_t(from.begin + m) * size_t(from.height)];
     const std::span<const int> chunks(chunks_.data() + panel.chunk_begin, chunks_.data() + panel.chunk_end);
-    if (!fill_panel(panel.columns, from, chunks, below_.data() + panel.below, squares_.data() + panel.square))
+    if (!fill_panel(panel.columns, {from, chunks, below_.data() + panel.below, squares_.data() + panel.square}))
       return false;
   }
   return true;
